@@ -51,6 +51,15 @@ impl Viewport {
     /// use pinhole::{camera::Rotation, Viewport};
     /// let viewport = Viewport::new(Point::new(10, 20), Size::new(8, 4))?.rotated(Rotation::Deg90);
     /// assert_eq!(viewport.upright_point(Point::new(17, 20)), Point::new(0, 0)); // the panel's upper right corner
+    ///
+    /// // Back, by a viewport of the picture that is turned the other way: which pixels of the panel a text changes, for `Tracked`.
+    /// use embedded_graphics::primitives::Rectangle;
+    /// let back = Viewport::new(Point::zero(), viewport.size())?.rotated(Rotation::Deg270);
+    /// let on_panel = |at| back.upright_point(at) + viewport.area().top_left;
+    /// assert_eq!(on_panel(Point::new(0, 0)), Point::new(17, 20));
+    /// let text = Rectangle::new(Point::new(1, 2), Size::new(3, 5)); // `bounding_box()`
+    /// let changed = Rectangle::with_corners(on_panel(text.top_left), on_panel(text.top_left + text.size - Point::new(1, 1)));
+    /// assert_eq!(changed, Rectangle::new(Point::new(11, 21), Size::new(5, 3)));
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub const fn upright_point(&self, at: Point) -> Point {

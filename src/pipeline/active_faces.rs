@@ -147,7 +147,8 @@ impl<'a, V: Coordinate, const DEPTH: bool> BinnedFaces<'a, V, DEPTH> {
     /// carried into them: a carried face keeps its colour.
     ///
     /// A band below a gap, above the last one, or of other columns begins again at the top of the bins, with an empty list: the pixels
-    /// are right, and each face is set up again. For two cores, [fork](Self::fork) first: each fork takes a list of its own.
+    /// are right, and each face is set up again. For two cores, [fork](Self::fork) first: each fork takes a list of its own. [`depth_only`](Self::depth_only)
+    /// is for faces without a list.
     ///
     /// ```
     /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Rgb565, prelude::*};

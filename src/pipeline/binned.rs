@@ -59,12 +59,12 @@ impl<V: Coordinate, const DEPTH: bool> Binned<'_, V, DEPTH> {
     ) -> DrawRegion {
         let Self { transformed, bins, .. } = self;
         let region = DrawRegion::shared(band, transformed.instance.area(), depth);
-        let mut rows = region.scissor.rows();
-        if BEYOND != 0 && !rows.is_empty() {
-            rows = rows.start + BEYOND..rows.end + BEYOND; // inside the guard band before
-            bins.continue_at(rows.start);
+        let rows = region.scissor.rows();
+        if BEYOND == 0 {
+            bins.advance_to_band(&rows);
+        } else {
+            bins.advance_beyond::<BEYOND>(&rows);
         }
-        bins.advance_to_band(&rows);
         region
     }
 }

@@ -152,7 +152,8 @@ impl<V: Coordinate, const DEPTH: bool> BinnedEdges<'_, V, DEPTH> {
     }
 
     /// A rectangle inside the viewport around all visible edges: no pixel outside it is drawn. It is empty if no edge is
-    /// visible. [`AntiAliased`](crate::shading::AntiAliased) lines may reach one pixel beyond it.
+    /// visible. [`AntiAliased`](crate::shading::AntiAliased) lines may reach one pixel beyond it, and two with areas [from a
+    /// table](crate::shading::AntiAliased::by_table).
     pub fn bounds(&self) -> Rectangle {
         self.0.bounds()
     }

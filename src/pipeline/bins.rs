@@ -34,13 +34,17 @@ pub(super) struct Bins<'s> {
 pub(super) struct Cursor {
     /// The first bin that is not activated.
     bin: usize,
-    /// The end of the last band.
+    /// The end of the last band; [marked](Self::MARK) if primitives reached beyond their rows.
     row: i32,
 }
 
 impl Cursor {
     /// The next band begins above its row, and so at the top of the bins.
     const TOP: Self = Self { bin: 0, row: i32::MAX };
+
+    /// Added to a row for each row that primitives reach beyond their own: more than any row, so that a band whose primitives do not
+    /// reach beyond their rows begins again.
+    const MARK: i32 = 1 << 16;
 }
 
 /// The rows of bins.
@@ -253,11 +257,17 @@ impl Bins<'_> {
         self.cursor = Cursor::TOP;
     }
 
-    /// Begins again at the next band, unless the last one ended at this row: it was drawn with the same rows beyond.
-    pub(super) fn continue_at(&mut self, row: i32) {
-        if self.cursor.row != row {
-            self.restart();
+    /// [`advance_to_band`](Self::advance_to_band) for primitives that reach `BEYOND` rows, at least one, beyond their own. Begins again unless
+    /// the last band ended where this one begins and had as many rows beyond: other primitives end earlier.
+    #[inline(always)]
+    pub(super) fn advance_beyond<const BEYOND: i32>(&mut self, rows: &Range<i32>) {
+        if rows.is_empty() {
+            return;
         }
+        let marked = |row: i32| row + BEYOND * Cursor::MARK; // inside the guard band before
+        self.cursor.row = if self.cursor.row == marked(rows.start) { rows.start + BEYOND } else { i32::MAX };
+        self.advance_to_band(&(rows.start + BEYOND..rows.end + BEYOND));
+        self.cursor.row = marked(rows.end);
     }
 
     /// Activates the primitives that begin in a band or above it.

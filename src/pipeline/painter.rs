@@ -26,8 +26,8 @@ use heapless::Vec;
 /// beside a short one, and faces that pierce each other, can come out wrong. (Newell, Newell and Sancha, *A solution to the
 /// hidden surface problem*, 1972, split such faces; this painter does not.)
 ///
-/// `VERTICES` and `FACES` are the capacities: room for all vertices of all meshes, and for all visible faces. Memory: 8 bytes
-/// per vertex; 10 bytes and a shader (usually a colour) per face. [`Faces::sorted`] adds a mesh and transforms each of its vertices once.
+/// `VERTICES` and `FACES` are the capacities, of which 65 536 and 65 535 are used at most: room for all vertices of all meshes, and for all
+/// visible faces. Memory: 8 bytes per vertex; 10 bytes and a shader (usually a colour) per face. [`Faces::sorted`] adds a mesh and transforms each of its vertices once.
 ///
 /// ```
 /// use embedded_graphics::{geometry::{Point, Size}, mock_display::MockDisplay, pixelcolor::Gray8};

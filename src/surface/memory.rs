@@ -94,6 +94,11 @@ impl<S> Memory<S> {
     pub(crate) const fn area(&self) -> Rectangle {
         self.rows.area
     }
+
+    /// How many cells apart rows begin: the area's width, or more.
+    pub(crate) const fn stride(&self) -> usize {
+        self.rows.scratch.layout.stride
+    }
 }
 
 impl<S: PixelStore> Memory<S> {

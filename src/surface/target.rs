@@ -338,8 +338,8 @@ defmt_format!([S] DepthTestedSurface<'_, '_, S>, self, "surface with a {}", self
 #[derive(Debug)]
 pub(crate) struct DepthTarget<'d, 'b> {
     pub(crate) buffer: &'d mut DepthBuffer<'b>,
-    /// Whether a pixel has the same index in the depth buffer as in the target's memory: the two begin with the same pixel and
-    /// have rows of the same width. Either may have more rows.
+    /// Whether a pixel has the same index in the depth buffer as in the target's memory: the two begin with the same pixel, and their
+    /// rows are equally far apart. Either may have more rows.
     pub(crate) is_aligned: bool,
 }
 
@@ -348,8 +348,10 @@ impl<'d, 'b> DepthTarget<'d, 'b> {
     #[inline(always)]
     pub(crate) fn new<T: Surface>(buffer: &'d mut DepthBuffer<'b>, target: &mut T) -> Self {
         let Rectangle { top_left, size } = buffer.area();
-        let pixels = target.memory().map(|memory| memory.area());
-        let is_aligned = pixels.is_some_and(|own| own.top_left == top_left && own.size.width == size.width);
+        // The width of the target is not that of its rows: they may lie in a wider framebuffer.
+        let is_aligned = target.memory().is_some_and(|memory| {
+            memory.area().top_left == top_left && memory.stride() == size.width as usize
+        });
         Self { buffer, is_aligned }
     }
 }

@@ -388,3 +388,70 @@ fn edges_beside_the_picture_are_equal_in_bands_and_in_one_piece() {
         drawn(&[[end[0] - 10.0, end[1] - 9.875], end], AntiAliased(Gray8::WHITE).by_table());
     }
 }
+
+/// Draws all edges with one stroke.
+fn at_once(instance: &MeshInstance<'_>, stroke: impl Stroke<Gray8>, target: &mut Pixels<'_, Gray8>) {
+    let Ok(_) = instance.edges(|_| stroke).draw(target);
+}
+
+/// Edges reach one pixel beyond the bounds of the binned edges, or two with areas from a table, as their documentation says.
+#[test]
+fn edges_reach_beyond_their_bounds_as_far_as_is_said() {
+    let (mut rng, mut cache, mut bins) = (Rng::new(0xB0), [ScreenVertex::EMPTY; 2], [0; 8]);
+    let camera = flat_camera((SIDE as u32, SIDE as u32), 256, 1).library();
+    let area = rectangle(0, 0, SIDE as u32, SIDE as u32);
+    let mut farthest = [0; 3];
+    for _ in 0..4_000 {
+        let mut along = || rng.int(8 * 256, (SIDE as i64 - 8) * 256) as i16;
+        let vertices = [0; 2].map(|_| [along(), along(), 0]);
+        let mesh = Mesh::new(&vertices, 0, &[]).and_then(|mesh| mesh.with_edges(&[[0, 1]])).expect("a mesh");
+        let instance = camera.place(&mesh, &Affine::identity());
+        let bounds = instance.transform(&mut cache).bin_edges(&mut bins).expect("room").bounds();
+        let (low, high) = (bounds.top_left, bounds.top_left + bounds.size - Point::new(1, 1));
+        let mut reach = |stroke, draw: &mut dyn FnMut(&mut Pixels<'_, Gray8>)| {
+            let pixels = memory(area, Gray8::BLACK, &mut |target, _| draw(target));
+            for at in area.points().zip(pixels).filter_map(|(at, own)| (own != Gray8::BLACK).then_some(at)) {
+                let beyond = [low.x - at.x, low.y - at.y, at.x - high.x, at.y - high.y];
+                farthest[stroke] = beyond.into_iter().fold(farthest[stroke], i32::max);
+            }
+        };
+        let white = Gray8::WHITE;
+        reach(0, &mut |target| at_once(&instance, white, target));
+        reach(1, &mut |target| at_once(&instance, AntiAliased(white), target));
+        reach(2, &mut |target| at_once(&instance, AntiAliased(white).by_table(), target));
+    }
+    assert_eq!(farthest, [0, 1, 2]);
+}
+
+/// Strokes differ in how far they reach beyond an edge: none ends an edge that the next one still draws.
+#[test]
+fn binned_edges_are_drawn_with_several_strokes_in_any_order() {
+    let thin = Gray8::WHITE;
+    let (exact, by_table) = (AntiAliased(thin), AntiAliased(thin).by_table());
+    cubes(|instance| {
+        let (mut cache, mut bins) = ([ScreenVertex::EMPTY; 8], vec![0; instance.mesh().edge_bins_len()]);
+        let mut edges = instance.transform(&mut cache).bin_edges(&mut bins).expect("room");
+        let wanted = [
+            picture(&mut |target| at_once(instance, thin, target)),
+            picture(&mut |target| at_once(instance, exact, target)),
+            picture(&mut |target| at_once(instance, by_table, target)),
+        ];
+        for rows in 1..4 {
+            let (frame, mut strip) = (Frame::new(AREA, Gray8::BLACK), vec![0; WIDTH as usize * rows]);
+            let mut found = [const { Vec::new() }; 3];
+            for index in 0..HEIGHT.div_ceil(rows as u32) {
+                let orders = [[0, 1, 2], [2, 1, 0], [0, 2, 1], [1, 0, 2], [1, 2, 0], [2, 0, 1]];
+                for stroke in orders[index as usize % 6] {
+                    let mut band = frame.nth_band(index, &mut strip).expect("a row").expect("a band");
+                    let Ok(()) = match stroke {
+                        0 => edges.draw(thin, &mut band.pixels()),
+                        1 => edges.draw(exact, &mut band.pixels()),
+                        _ => edges.draw(by_table, &mut band.pixels()),
+                    };
+                    found[stroke].extend(band.colors());
+                }
+            }
+            assert!(found == wanted, "bands of {rows} rows");
+        }
+    });
+}

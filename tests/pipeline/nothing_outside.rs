@@ -153,6 +153,50 @@ fn a_target_of_ones_own_gets_the_picture() {
     assert!(wanted.iter().filter(|color| **color != 0).count() > 100);
 }
 
+/// A framebuffer that is wider than the picture, with a depth buffer of the picture alone: a pixel's index differs between them.
+#[test]
+fn rows_of_pixels_may_be_farther_apart_than_those_of_depths() {
+    const AREA: Rectangle = Rectangle::new(Point::new(3, 2), Size::new(40, 30));
+    fn paint(
+        instance: &MeshInstance<'_>,
+        shader: usize,
+        target: &mut Pixels<'_, Rgb565, u16>,
+        depth: &mut DepthBuffer<'_>,
+    ) {
+        let color = |face: usize| Rgb888::new((face % 16) as u8 * 16, 200, (face / 16 % 32) as u8 * 8);
+        let levels = |face: usize| [10 * (face as u16 % 20), 200, 256];
+        let table = ShadeTable::new(Rgb888::CSS_GOLD);
+        let target = &mut target.depth_tested(depth);
+        let Ok(statistics) = match shader {
+            0 => instance.faces(|face| Rgb565::from(color(face))).draw(target),
+            1 => instance.faces(|face| Dithered(Flat::from(color(face)))).draw(target),
+            2 => instance.faces(|face| Gouraud::lit(color(face), levels(face))).draw(target),
+            _ => instance.faces(|face| table.lit(levels(face))).draw(target),
+        };
+        assert!(statistics.drawn > 2);
+    }
+    let viewport = Viewport::new(AREA.top_left, AREA.size).expect("a small viewport");
+    for mesh in [pinhole::meshes::CUBE, pinhole::meshes::TORUS] {
+        let (sphere, angle) = (mesh.bounding_sphere(), pinhole::Angle::degrees(30));
+        let camera = Camera::framing(&sphere, &viewport, angle, angle, angle).expect("a radius");
+        let instance = camera.place(&mesh, &Affine::identity());
+        for shader in 0..4 {
+            let (mut cells, mut depths) = ([0_u16; 40 * 30], [0; 40 * 30]);
+            let mut depth = DepthBuffer::new(AREA, &mut depths).expect("as many numbers");
+            paint(&instance, shader, &mut Pixels::new(&mut cells, AREA).expect("as many cells"), &mut depth);
+            let (mut apart, mut other) = ([0_u16; 47 * 30], [0; 40 * 30]);
+            let mut depth = DepthBuffer::new(AREA, &mut other).expect("as many numbers");
+            let mut target = Pixels::with_stride(&mut apart, AREA, 47).expect("as many cells");
+            paint(&instance, shader, &mut target, &mut depth);
+            assert!(other == depths, "depths of shader {shader}");
+            let rows = apart.chunks(47).zip(cells.chunks(40));
+            for (apart, row) in rows {
+                assert!(apart[..40] == *row && apart[40..] == [0; 7], "shader {shader}");
+            }
+        }
+    }
+}
+
 #[test]
 fn too_few_cells_for_the_area_are_refused() {
     let area = Rectangle::new(Point::zero(), Size::new(40, 30));

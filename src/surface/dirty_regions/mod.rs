@@ -28,8 +28,8 @@ impl TransferCost {
     pub const MIPI_DCS: u16 = 11;
 
     /// The cost for `pixel_bits` per pixel (see [`Color::FORMAT.bits()`](crate::color::Color::FORMAT.bits()); more than 256 count as 256) and
-    /// `window_bytes` of commands before the first pixel of each rectangle. A row of pixels is rounded up to bytes, and to
-    /// [steps](DirtyRegions::with_steps) if there are any. 2³¹ bytes and more count as equal.
+    /// `window_bytes` of commands before the first pixel of each rectangle. A row of pixels is rounded up to bytes; if there are
+    /// [steps](DirtyRegions::with_steps), a row of steps is, and a step at the border counts as a whole one. 2³¹ bytes and more count as equal.
     pub const fn new(pixel_bits: u32, window_bytes: u16) -> Self {
         let pixel_bits = if pixel_bits < 256 { pixel_bits as u16 } else { 256 };
         Self { pixel_bits, window_bytes }

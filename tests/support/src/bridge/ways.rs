@@ -39,17 +39,31 @@ pub type IntoBand<'a, C> = dyn FnMut(&mut Band<'_, C>, &mut DepthBuffer<'_>) + '
 type CountedBand<'a, C, const N: usize> =
     dyn FnMut(&mut Pixels<'_, C, [u8; N]>, &mut DepthBuffer<'_>) -> Statistics + 'a;
 
-/// What `draw` leaves in memory, and the depths of these pixels in a buffer of `depth_area`. If it is another area, rows of pixels have a gap
-/// of 5 cells, which stay as they were.
+/// [`memory_in_rows`] with a gap of 5 cells, and without one if the depth buffer has the area of the pixels.
 pub fn memory_with<C: PixelColor>(
     area: Rectangle,
     depth_area: Rectangle,
     background: C,
     draw: &mut IntoMemory<'_, C>,
 ) -> (Vec<C>, Vec<u16>) {
+    memory_in_rows(area, depth_area, if depth_area == area { 0 } else { GAP }, background, draw)
+}
+
+/// Cells between rows of pixels.
+const GAP: usize = 5;
+
+/// What `draw` leaves in memory, and the depths of these pixels in a buffer of `depth_area`. Between rows of pixels lie `gap` cells, which
+/// stay as they were.
+fn memory_in_rows<C: PixelColor>(
+    area: Rectangle,
+    depth_area: Rectangle,
+    gap: usize,
+    background: C,
+    draw: &mut IntoMemory<'_, C>,
+) -> (Vec<C>, Vec<u16>) {
     let count = |area: Rectangle| (area.size.width * area.size.height) as usize;
     let width = area.size.width as usize;
-    let stride = width + if depth_area == area { 0 } else { 5 };
+    let stride = width + gap;
     let mut cells = vec![background; stride * area.size.height as usize];
     let mut depths = vec![0; count(depth_area)];
     let mut depth = DepthBuffer::new(depth_area, &mut depths).expect("a depth for each pixel");
@@ -117,7 +131,7 @@ fn crop<T: Copy>(picture: &[T], area: Rectangle, part: Rectangle) -> Vec<T> {
     part.points().map(|p| picture[at(p)]).collect()
 }
 
-/// Into memory: in one piece, in parts, and with depth buffers that are larger than the picture.
+/// Into memory: in one piece, in parts, and with depth buffers whose rows are as far apart as those of pixels, farther, or less far.
 fn parts_in_memory<C: PixelColor>(
     area: Rectangle,
     background: C,
@@ -131,8 +145,12 @@ fn parts_in_memory<C: PixelColor>(
     for part in parts(area) {
         let (found, _) = memory_with(part, wider(part), background, solid);
         assert!(found == crop(&whole, area, part), "{part:?}");
-        let found = memory_with(part, wider(part), background, deep);
-        assert!(found == (crop(&pixels, area, part), crop(&depths, area, part)), "with depth, {part:?}");
+        let as_memory = Rectangle::new(part.top_left, part.size + Size::new(GAP as u32, 2));
+        for depth_area in [wider(part), part, as_memory] {
+            let found = memory_in_rows(part, depth_area, GAP, background, deep);
+            let wanted = (crop(&pixels, area, part), crop(&depths, area, part));
+            assert!(found == wanted, "{part:?} with the depths of {depth_area:?}");
+        }
     }
     Drawn { solid: whole, deep: pixels, depths, painted: Vec::new() }
 }
