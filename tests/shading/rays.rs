@@ -12,7 +12,7 @@ use support::oracle::chain::{self, M4, V3};
 use support::oracle::rng::Rng;
 use support::oracle::shade;
 use support::oracle::target::Screen;
-use support::oracle::texture::{off_clamped, off_repeated, Range, Ray};
+use support::oracle::texture::{Range, Ray};
 
 pub(crate) const SIDE: u32 = 240;
 pub(crate) const SIZE: Size = Size::new(SIDE, SIDE);
@@ -195,18 +195,9 @@ pub(crate) const WALL: [[f64; 3]; 4] =
 pub(crate) struct FaceRay(pub(crate) Ray);
 
 impl FaceRay {
-    /// The largest error in texels of a picture, beyond a shift of 1/64 pixel, where the picture repeats; and how many pixels there
-    /// are.
-    pub(crate) fn worst_repeated(&self, picture: &Screen<Shown>, bits: [u32; 2]) -> (f64, usize) {
-        self.worst(picture, bits, off_repeated)
-    }
-
-    /// The largest error, and the number of pixels, where the edge of the picture continues.
-    pub(crate) fn worst_clamped(&self, picture: &Screen<Shown>, bits: [u32; 2]) -> (f64, usize) {
-        self.worst(picture, bits, off_clamped)
-    }
-
-    fn worst(
+    /// The largest error in texels of a picture, beyond a shift of 1/64 pixel, and how many pixels there are. `off` is `off_repeated` or
+    /// `off_clamped`.
+    pub(crate) fn worst(
         &self,
         picture: &Screen<Shown>,
         bits: [u32; 2],

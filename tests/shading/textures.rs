@@ -17,7 +17,7 @@ use pinhole::{
 use support::bridge::ways::{by_every_call, everywhere};
 use support::oracle::chain::{self, M4};
 use support::oracle::rng::Rng;
-use support::oracle::texture::off_repeated;
+use support::oracle::texture::{off_clamped, off_repeated};
 
 /// The accuracies of a texture, in texels.
 const ACCURACIES: [(Accuracy, f64); 3] =
@@ -117,9 +117,10 @@ impl Case {
             wide = wide.with_exponent(exponent).unwrap();
         }
         let (texture, wide) = (texture.with_accuracy(self.accuracy), wide.with_accuracy(self.accuracy));
-        let (repeated, count) = ray.worst_repeated(&faces.draw(face, &self.camera, wide.at(uv)), bits);
-        let (packed, _) = ray.worst_repeated(&faces.draw(face, &self.camera, texture.at(uv)), bits);
-        let (clamped, _) = ray.worst_clamped(&faces.draw(face, &self.camera, texture.clamped_at(uv)), bits);
+        let (repeated, count) = ray.worst(&faces.draw(face, &self.camera, wide.at(uv)), bits, off_repeated);
+        let (packed, _) = ray.worst(&faces.draw(face, &self.camera, texture.at(uv)), bits, off_repeated);
+        let (clamped, _) =
+            ray.worst(&faces.draw(face, &self.camera, texture.clamped_at(uv)), bits, off_clamped);
         let packing = f64::from(1 << bits[0].max(bits[1])) * PACKING;
         ([repeated, packed - packing, clamped], count)
     }
