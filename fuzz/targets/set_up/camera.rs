@@ -35,7 +35,8 @@ fn set_up(b: &mut Bytes<'_>) -> Option<(SetUp, bool)> {
     let bits = CameraBits { view: views::any(b), projection: projections::any(b), viewport: viewport(b) };
     let CameraBits { view, projection, .. } = bits;
     pinhole::Viewport::new(bits.area().top_left, bits.area().size).ok()?;
-    (view.library().ok()?, projection.library().ok()?);
+    view.library().ok()?;
+    projection.library().ok()?;
     let set_up = SetUp { bits, exact: bits.exact() };
     Some((set_up, views::sine(view) > 0.02 && !projections::saturates(&projection)))
 }
