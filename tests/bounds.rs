@@ -573,19 +573,9 @@ fn projections(errors: &mut Errors) {
         }
         // A box whose depth recedes.
         let (angle, factor) = (rng.bits(), rng.bits() as i32 >> (8 + rng.below(8)));
-        let box_bits = ProjectionBits::Orthographic([l, r, b, t], near, far);
-        let ours = Projection::oblique(
-            window([l, r, b, t]),
-            scalar(near),
-            scalar(far),
-            Angle::from_bits(angle),
-            scalar(factor),
-        );
-        let (s, c) = chain::sin_cos(angle);
-        let mut exact = box_bits.exact();
-        exact[0][2] = -fx(factor) * c * exact[0][0];
-        exact[1][2] = -fx(factor) * s * exact[1][1];
-        let ours = matched(ours.map(|p| p.to_matrix()).unwrap_or_default(), &exact);
+        let oblique = ProjectionBits::Oblique([l, r, b, t], near, far, angle, factor);
+        let exact = oblique.exact();
+        let ours = matched(oblique.library().map(|p| p.to_matrix()).unwrap_or_default(), &exact);
         let what = "`Projection::oblique`, in units of row's largest coefficient × (1 + factor)";
         errors.add(what, two(-29.0), projection_error(&ours, &exact) / (1.0 + fx(factor).abs()));
         // Any matrix at all.

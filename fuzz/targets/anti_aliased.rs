@@ -23,11 +23,7 @@ fn covered(at: [f64; 2], slope: f64) -> f64 {
     let polygon = [1.0, -1.0]
         .into_iter()
         .fold(square, |polygon, sign| chain::cut(&polygon, |p| half - sign * (p[1] - middle - slope * p[0])));
-    let area = |i: usize| {
-        let (p, q) = (polygon[i], polygon[(i + 1) % polygon.len()]);
-        p[0] * q[1] - p[1] * q[0]
-    };
-    (0..polygon.len()).map(area).sum::<f64>() / 2.0
+    chain::area(&polygon)
 }
 
 fn coordinate(b: &mut Bytes<'_>, from: i64) -> i64 {

@@ -1,11 +1,12 @@
 //! A scene on every kind of target, in one piece, in parts and in bands: all must be equal.
 
+use super::scene::input::Scene;
 use core::fmt::Debug;
 use embedded_graphics_core::primitives::Rectangle;
 use pinhole::{
     color::{StoredPixel, Unmixed},
     prelude::*,
-    shading::SpanShader,
+    shading::{SpanShader, Translucent},
 };
 use support::bridge::ways::{self, Drawn};
 
@@ -59,6 +60,59 @@ impl<C: Color + Debug> Place<C> {
             faces.draw(shade, &mut band.depth_tested(depth)).expect("a band refuses nothing");
         });
         drawn
+    }
+
+    /// What each face draws alone, and how often it covers each pixel.
+    pub(crate) fn alone<S: SpanShader<C>>(
+        &self,
+        scene: &Scene,
+        shade: impl Fn(usize) -> S,
+    ) -> Vec<[Drawn<C>; 2]> {
+        let more = |_: C, stored: C| C::from_bits((stored.to_bits() + 1).min(2));
+        let (none, count) = (C::from_bits(0), Translucent::new(C::from_bits(0), more));
+        let alone = |face| {
+            scene.with_instance(&scene.faces[face..=face], &[], |instance| {
+                let own = ways::in_memory(instance, self.area, self.sky, &|_| shade(face));
+                [own, ways::in_memory(instance, self.area, none, &|_| count)]
+            })
+        };
+        (0..scene.faces.len()).map(alone).collect()
+    }
+
+    /// Compares the pictures of all faces with what each draws [`alone`](Self::alone), face over face without depth, and with depth where it is
+    /// nearer. `mix` makes the pixel of a number of the face's colour and the one before it, and says whether the face stores its depth; or
+    /// leaves the pixel as it was.
+    ///
+    /// Rounding may fold the fan of a face that is cut to a sliver. Which colours a pixel shows that it covers twice, the face alone does not
+    /// tell: such pixels are not compared.
+    pub(crate) fn compare(
+        &self,
+        drawn: &Drawn<C>,
+        alone: &[[Drawn<C>; 2]],
+        mix: impl Fn(usize, C, C) -> Option<(C, bool)>,
+        what: &dyn Debug,
+    ) {
+        let (mut solid, mut deep) = (vec![self.sky; drawn.solid.len()], vec![self.sky; drawn.solid.len()]);
+        let mut depths = vec![DepthBuffer::NOTHING; solid.len()];
+        for i in 0..solid.len() {
+            for [own, _] in alone {
+                if own.solid[i] != self.sky {
+                    solid[i] = mix(i, own.solid[i], solid[i]).map_or(solid[i], |(color, _)| color);
+                }
+                let is_nearer = own.deep[i] != self.sky && own.depths[i] < depths[i];
+                if let Some((color, stores)) = is_nearer.then(|| mix(i, own.deep[i], deep[i])).flatten() {
+                    (deep[i], depths[i]) = (color, if stores { own.depths[i] } else { depths[i] });
+                }
+            }
+            let is_folded = |[_, count]: &[Drawn<C>; 2]| {
+                [count.solid[i], count.deep[i]].iter().any(|count| count.to_bits() > 1)
+            };
+            if alone.iter().any(is_folded) {
+                (solid[i], deep[i], depths[i]) = (drawn.solid[i], drawn.deep[i], drawn.depths[i]);
+            }
+        }
+        assert!(drawn.solid == solid, "{what:?}");
+        assert!(drawn.deep == deep && drawn.depths == depths, "with depth: {what:?}");
     }
 
     /// Bands with depth are equal to the whole picture.

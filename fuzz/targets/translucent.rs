@@ -15,7 +15,7 @@ use pinhole::{
     shading::{SpanShader, Translucent},
     texture::{ColorKeyed, TexelSlice},
 };
-use support::bridge::ways::{self, Drawn};
+use support::bridge::ways::Drawn;
 use support::oracle::rng::Rng;
 
 /// Not drawn by any opaque face: their channels are below 31.
@@ -101,44 +101,16 @@ impl Check<'_> {
         }
     }
 
-    /// Rounding may fold the fan of a face that is cut to a sliver. A pixel that it covers twice is mixed twice, which the face in
-    /// opaque colours does not show: such pixels are not compared.
     fn compare<S: SpanShader<Rgb565>>(&self, drawn: &Drawn<Rgb565>, shade: impl Fn(usize) -> S) {
-        let more = |_, stored: Rgb565| Rgb565::new(0, 0, (stored.b() + 1).min(2));
-        let count = Translucent::new(Rgb565::BLACK, more);
-        let mut folded = vec![false; drawn.solid.len()];
-        let mut solid = vec![SKY; drawn.solid.len()];
-        let (mut deep, mut depths) = (solid.clone(), vec![DepthBuffer::NOTHING; solid.len()]);
-        let coverage = u32::from(self.door.unwrap_or(64));
         let (corner, width) = (self.place.area.top_left, self.place.area.size.width as usize);
-        for face in 0..self.scene.faces.len() {
-            let (alone, count) = self.scene.with_instance(&self.scene.faces[face..=face], &[], |instance| {
-                let alone = ways::in_memory(instance, self.place.area, SKY, &|_| shade(face));
-                (alone, ways::in_memory(instance, self.place.area, Rgb565::BLACK, &|_| count))
-            });
-            for i in 0..solid.len() {
-                folded[i] |= count.solid[i].b() > 1 || count.deep[i].b() > 1;
-                let (x, y) = (corner.x + (i % width) as i32, corner.y + (i / width) as i32);
-                if rank(x, y) >= coverage {
-                    continue;
-                }
-                if alone.solid[i] != SKY {
-                    solid[i] = self.over.mixed(alone.solid[i], solid[i]);
-                }
-                if alone.deep[i] != SKY && alone.depths[i] < depths[i] {
-                    deep[i] = self.over.mixed(alone.deep[i], deep[i]);
-                    if matches!(self.over, Over::Opaque) {
-                        depths[i] = alone.depths[i];
-                    }
-                }
-            }
-        }
-        for i in (0..folded.len()).filter(|&i| folded[i]) {
-            (solid[i], deep[i], depths[i]) = (drawn.solid[i], drawn.deep[i], drawn.depths[i]);
-        }
-        let what = (self.over, self.door, self.scene);
-        assert!(drawn.solid == solid, "{what:?}");
-        assert!(drawn.deep == deep && drawn.depths == depths, "with depth: {what:?}");
+        let coverage = u32::from(self.door.unwrap_or(64));
+        let mix = |i: usize, own, stored| {
+            let (x, y) = (corner.x + (i % width) as i32, corner.y + (i / width) as i32);
+            let is_opaque = matches!(self.over, Over::Opaque);
+            (rank(x, y) < coverage).then(|| (self.over.mixed(own, stored), is_opaque))
+        };
+        let alone = self.place.alone(self.scene, shade);
+        self.place.compare(drawn, &alone, mix, &(self.over, self.door, self.scene));
     }
 }
 

@@ -5,7 +5,7 @@
 use pinhole::space::{Model, World};
 use pinhole::{camera::CameraError, math::MathError, prelude::*};
 use support::bridge::pair::{bits, random_view, ModelBits};
-use support::bridge::{point, rectangle};
+use support::bridge::{self, point};
 use support::oracle::chain::{self, length, Viewport, M4, V3};
 use support::oracle::rng::Rng;
 
@@ -86,8 +86,7 @@ fn s4_vertices_through_any_matrix_are_within_1_256_px() {
         assert!(ratio < 300.0);
         setups += 1;
         let projection = Projection::from_matrix(&c.matrix).expect("a matrix");
-        let area = rectangle(5, -7, 480, 320);
-        let viewport = pinhole::Viewport::new(area.top_left, area.size).expect("a viewport");
+        let viewport = bridge::viewport(5, -7, 480, 320);
         let camera = Camera::new(&bits_view.library().expect("a view"), &projection, &viewport);
         let pinhole::camera::Projected { point: p, depth } = match camera.project(point(world)) {
             Ok(found) => found,

@@ -8,29 +8,28 @@ use pinhole::{
     camera::{CameraError, Projected, Rotation},
     prelude::*,
 };
-use support::bridge::pair::{bits, random_view, ONE};
-use support::bridge::{point, reals, rectangle, vector};
-use support::definition::{Family, Picture, Projectors};
+use support::bridge::pair::{bits, random_view, ProjectionBits, ONE};
+use support::bridge::{point, reals, vector, viewport};
+use support::definition::{Picture, Projectors};
 use support::oracle::chain::{self, length, V3};
 use support::oracle::rng::Rng;
 
 const SIZE: f64 = 400.0;
 
-fn camera(view: ViewTransform, family: &Family) -> Camera {
-    let area = rectangle(0, 0, 400, 400);
-    let viewport = Viewport::new(area.top_left, area.size).expect("a viewport");
+fn camera(view: ViewTransform, family: &ProjectionBits) -> Camera {
+    let viewport = viewport(0, 0, 400, 400);
     // Some pictures are turned: the bounds hold for each rotation.
     let viewport = match family {
-        Family::Frustum(..) => viewport.rotated(Rotation::Deg90),
-        Family::Oblique(..) => viewport.rotated(Rotation::Deg180),
-        Family::Reference(..) => viewport.rotated(Rotation::Deg270),
+        ProjectionBits::Frustum(..) => viewport.rotated(Rotation::Deg90),
+        ProjectionBits::Oblique(..) => viewport.rotated(Rotation::Deg180),
+        ProjectionBits::Reference(..) => viewport.rotated(Rotation::Deg270),
         _ => viewport,
     };
     Camera::new(&view, &family.library().expect("a projection"), &viewport)
 }
 
 /// A family member of each kind, about a scene of this size.
-fn random_family(rng: &mut Rng, size: f64) -> Option<Family> {
+fn random_family(rng: &mut Rng, size: f64) -> Option<ProjectionBits> {
     let f = |v: f64| chain::to_fx(v);
     let w = size * rng.log(0.3, 3.0);
     let (x, y) = (w * rng.real(-0.5, 0.5), w * rng.real(-0.5, 0.5));
@@ -38,13 +37,13 @@ fn random_family(rng: &mut Rng, size: f64) -> Option<Family> {
     let (near, far) = (f(size)?, f(size * rng.log(1.5, 50.0))?);
     let prp = bits([w * rng.real(-1.0, 1.0), w * rng.real(-1.0, 1.0), size])?;
     Some(match rng.below(7) {
-        0 => Family::FieldOfView(rng.int(1 << 26, 3 << 29) as u32, (400, 400), near, far),
-        1 => Family::Frustum(window, near, far),
-        2 => Family::Orthographic(window, near, far),
-        3 => Family::Oblique(window, near, far, rng.bits(), ONE / 2),
-        4 => Family::Reference(prp, window, prp[2].checked_sub(near)?, prp[2].checked_sub(far)?),
-        5 => Family::ReferenceParallel(prp, window, near, near.checked_sub(far)?),
-        _ => Family::OriginInPlane(-near, window, 0, far.checked_sub(near)?),
+        0 => ProjectionBits::Perspective(rng.int(1 << 26, 3 << 29) as u32, (400, 400), near, far),
+        1 => ProjectionBits::Frustum(window, near, far),
+        2 => ProjectionBits::Orthographic(window, near, far),
+        3 => ProjectionBits::Oblique(window, near, far, rng.bits(), ONE / 2),
+        4 => ProjectionBits::Reference(prp, window, prp[2].checked_sub(near)?, prp[2].checked_sub(far)?),
+        5 => ProjectionBits::ReferenceParallel(prp, window, near, near.checked_sub(far)?),
+        _ => ProjectionBits::OriginInPlane(-near, window, 0, far.checked_sub(near)?),
     })
 }
 
@@ -113,7 +112,7 @@ fn unproject_gives_the_projected_point_back() {
 fn project_reports_why_a_point_is_hidden() {
     let view =
         ViewTransform::look_at(point([0, 0, 5 * ONE]), point([0; 3]), vector([0, ONE, 0])).expect("a view");
-    let family = Family::FieldOfView(1 << 30, (400, 400), ONE, 10 * ONE);
+    let family = ProjectionBits::Perspective(1 << 30, (400, 400), ONE, 10 * ONE);
     let plain = camera(view, &family);
     let far = plain.with_far_clip(true);
     let at = |x: i32, y: i32, z: i32| point([x, y, z]);
@@ -150,7 +149,7 @@ fn unprojecting_beyond_the_number_range_returns_none() {
         point([30_000 * ONE, 0, -ONE]),
         vector([0, ONE, 0]),
     );
-    let family = Family::Orthographic([-10_000 * ONE, 10_000 * ONE, -ONE, ONE], 0, ONE);
+    let family = ProjectionBits::Orthographic([-10_000 * ONE, 10_000 * ONE, -ONE, ONE], 0, ONE);
     let camera = camera(view.expect("a view"), &family);
     let at = |x: i32| ScreenPoint::from_subpixels(x * 256, 200 * 256).expect("inside");
     assert!(camera.unproject(at(200), 0).is_some());
@@ -166,10 +165,8 @@ fn unproject_gives_back_a_point_far_beside_a_tiny_viewport() {
         [0.0, 0.0, -1.0, -1.0],
         [0.0, 0.0, -1.0, 1.0],
     ]);
-    let area = rectangle(0, 0, 1, 1);
-    let viewport = Viewport::new(area.top_left, area.size).expect("a viewport");
     let view = ViewTransform::look_at(point([0; 3]), point([0, 0, -ONE]), vector([0, ONE, 0]));
-    let camera = Camera::new(&view.expect("a view"), &lens.expect("a projection"), &viewport);
+    let camera = Camera::new(&view.expect("a view"), &lens.expect("a projection"), &viewport(0, 0, 1, 1));
     let world = [20_000 * ONE, -9000 * ONE, -ONE / 2];
     let Projected { point: screen, depth } = camera.project(point(world)).expect("in the guard band");
     let back = reals(camera.unproject(screen, depth).expect("inside the world"));
@@ -192,18 +189,18 @@ fn near_cuts_at_its_distance_for_any_near_and_far() {
         let w = [-n, n, -n, n];
         let prp = [0, 0, n];
         for family in [
-            Family::FieldOfView(1 << 29, (400, 400), n, f),
-            Family::Frustum(w, n, f),
-            Family::Orthographic(w, n, f),
-            Family::Oblique(w, n, f, rng.bits(), ONE / 2),
-            Family::Reference(prp, w, 0, n.saturating_sub(f)),
-            Family::ReferenceParallel(prp, w, -n, -f),
-            Family::EyeAtOrigin(-n, w, n, f),
+            ProjectionBits::Perspective(1 << 29, (400, 400), n, f),
+            ProjectionBits::Frustum(w, n, f),
+            ProjectionBits::Orthographic(w, n, f),
+            ProjectionBits::Oblique(w, n, f, rng.bits(), ONE / 2),
+            ProjectionBits::Reference(prp, w, 0, n.saturating_sub(f)),
+            ProjectionBits::ReferenceParallel(prp, w, -n, -f),
+            ProjectionBits::EyeAtOrigin(-n, w, n, f),
         ] {
             let eye = [0; 3].map(|_| rng.int(-10_000 << 16, 10_000 << 16) as i32);
             let view = ViewTransform::from_reference(point(eye), vector([0, 0, ONE]), vector([0, ONE, 0]))
                 .expect("a view");
-            let at = if matches!(family, Family::Reference(..)) { 0 } else { n };
+            let at = if matches!(family, ProjectionBits::Reference(..)) { 0 } else { n };
             let camera = camera(view, &family);
             let found = |beyond: i32| camera.project(point([eye[0], eye[1], eye[2] - at - beyond]));
             assert!(found(2 + (f >> 28)).is_ok(), "{family:?} {eye:?}");
@@ -217,8 +214,7 @@ fn near_cuts_at_its_distance_for_any_near_and_far() {
 /// In a mirror image, the planes through a pixel meet in the opposite order.
 #[test]
 fn unproject_gives_back_a_point_of_a_mirror_image() {
-    let area = rectangle(0, 0, 400, 400);
-    let viewport = Viewport::new(area.top_left, area.size).expect("a viewport");
+    let viewport = viewport(0, 0, 400, 400);
     let view = ViewTransform::look_at(point([0; 3]), point([0, 0, -ONE]), vector([0, ONE, 0]));
     let world = [ONE / 4, ONE / 3, -2 * ONE];
     for side in [1.0, -1.0] {

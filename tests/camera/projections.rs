@@ -4,9 +4,9 @@
 
 use pinhole::space::World;
 use pinhole::{camera::CameraError, prelude::*};
-use support::bridge::pair::{random_view, rows, window, ViewBits, ONE};
-use support::bridge::{point, reals, rectangle, scalar, vector};
-use support::definition::{Family, Projectors};
+use support::bridge::pair::{random_view, rows, window, CameraBits, ProjectionBits, ViewBits, ONE};
+use support::bridge::{point, reals, scalar, vector, viewport};
+use support::definition::Projectors;
 use support::oracle::chain::{self, fx, V3};
 use support::oracle::rng::Rng;
 
@@ -42,18 +42,21 @@ fn s3_worked_example_a_is_a_view() {
 }
 
 /// The worked set-ups of docs/spec.md, section 4, by VRP, VPN and projection.
-fn set_ups() -> [(ViewBits, Family); 4] {
+fn set_ups() -> [CameraBits; 4] {
     const H: i32 = ONE / 2;
     let (back, up, window) =
         (-4 * ONE, [0, ONE, 0], |low: i32, high: i32| [low, high, low, high].map(|side| side * ONE));
     let far = [0, 0, 10 * ONE];
     [
-        ([0; 3], [0, 0, ONE], Family::Reference([H, H, ONE], window(-1, 3), H, back)),
-        ([2 * ONE, H, 0], [ONE, 0, ONE], Family::Reference(far, window(-10, 20), H, back)),
-        ([2 * ONE, H, 0], [ONE, 0, ONE], Family::Reference(far, window(-1, 2), H, back)),
-        ([ONE, H, 0], [0, 0, ONE], Family::ReferenceParallel(far, window(-2, 2), H, back)),
+        ([0; 3], [0, 0, ONE], ProjectionBits::Reference([H, H, ONE], window(-1, 3), H, back)),
+        ([2 * ONE, H, 0], [ONE, 0, ONE], ProjectionBits::Reference(far, window(-10, 20), H, back)),
+        ([2 * ONE, H, 0], [ONE, 0, ONE], ProjectionBits::Reference(far, window(-1, 2), H, back)),
+        ([ONE, H, 0], [0, 0, ONE], ProjectionBits::ReferenceParallel(far, window(-2, 2), H, back)),
     ]
-    .map(|(vrp, vpn, family)| (ViewBits::Reference(vrp, vpn, up), family))
+    .map(|(vrp, vpn, projection)| {
+        let view = ViewBits::Reference(vrp, vpn, up);
+        CameraBits { view, projection, viewport: (0, 0, 240, 240) }
+    })
 }
 
 #[test]
@@ -61,14 +64,11 @@ fn s4_worked_set_ups() {
     // The cube [0, 1]² × [−1, 0].
     let cube: [[i32; 3]; 8] =
         core::array::from_fn(|k| [k as i32 & 1, k as i32 >> 1 & 1, (k as i32 >> 2) - 1]);
-    let area = rectangle(0, 0, 240, 240);
-    let viewport = Viewport::new(area.top_left, area.size).expect("a viewport");
-    let exact = set_ups().map(|(view, family)| {
-        let camera =
-            Camera::new(&view.library().expect("a view"), &family.library().expect("a volume"), &viewport);
+    let exact = set_ups().map(|set_up| {
+        let (camera, exact) = (set_up.library(), set_up.exact());
         cube.map(|corner| {
-            let at = view.exact().apply(corner.map(f64::from));
-            let exact = family.picture().screen(&chain::Viewport::new(0, 0, 240, 240), at);
+            let at = exact.view.apply(corner.map(f64::from));
+            let exact = set_up.projection.picture().screen(&exact.viewport, at);
             let seen = camera.project(point(corner.map(|c| c * ONE))).expect("in view").point;
             close(
                 &[seen.x(), seen.y()].map(|c| f64::from(c) / 256.0),
@@ -91,7 +91,7 @@ fn s4_worked_set_ups() {
 
 #[test]
 fn s4_the_direction_of_a_parallel_projection_is_window_center_minus_prp() {
-    let Projectors::Along(d) = set_ups()[3].1.picture().projectors else { panic!("parallel") };
+    let Projectors::Along(d) = set_ups()[3].projection.picture().projectors else { panic!("parallel") };
     assert_eq!(d, [0.0, 0.0, -10.0]);
     // Off the centre it is oblique: a unit of depth moves by (2, −1)/4 of a unit.
     let (prp, area) = (point([-2 * ONE, ONE, 4 * ONE]), window([-ONE, ONE, -ONE, ONE]));
@@ -197,7 +197,7 @@ fn s4_a_planar_window_too_small_is_refused_whichever_way_it_lies() {
     for dx in [1 << 30, -(1 << 30)] {
         for (left, right) in [(-1, 0), (0, 1)] {
             let window = [left, right, -ONE, ONE];
-            let general = Family::General(ONE >> 10, None, [dx, 0, -1], window, ONE, 2 * ONE);
+            let general = ProjectionBits::General(ONE >> 10, None, [dx, 0, -1], window, ONE, 2 * ONE);
             assert_eq!(general.library().map(|_| ()), Err(CameraError::EmptyWindow), "{general:?}");
         }
     }
@@ -219,8 +219,7 @@ fn s4_directions_keep_their_last_bit_beside_the_least_number() {
 
 /// 100 px a unit about (2000, 2000), in a viewport of 4000 × 4000.
 fn drawing(view: &ViewTransform, projection: &Projection) -> Camera {
-    let area = rectangle(0, 0, 4000, 4000);
-    Camera::new(view, projection, &Viewport::new(area.top_left, area.size).expect("a viewport"))
+    Camera::new(view, projection, &viewport(0, 0, 4000, 4000))
 }
 
 fn orthographic() -> Projection {
@@ -322,39 +321,41 @@ fn s4_n_point_perspectives_have_n_vanishing_points_where_the_axes_go() {
         });
         let up = if vpn[0] == 0 && vpn[2] == 0 { [0, 0, ONE] } else { [0, ONE, 0] };
         let view = ViewBits::Reference([ONE, -ONE, 3 * ONE], vpn, up);
-        let Ok(library) = view.library() else { continue };
-        let family = match rng.below(3) {
-            0 => Family::FieldOfView(rng.int(1 << 26, 3 << 29) as u32, (300, 200), ONE, 100 * ONE),
-            1 => Family::Frustum([-ONE, 2 * ONE, -2 * ONE, ONE], ONE, 100 * ONE),
-            _ => {
-                Family::Reference([ONE, ONE / 2, 5 * ONE], [-ONE, 2 * ONE, -2 * ONE, ONE], 4 * ONE, -90 * ONE)
-            }
+        if view.library().is_err() {
+            continue;
+        }
+        let projection = match rng.below(3) {
+            0 => ProjectionBits::Perspective(rng.int(1 << 26, 3 << 29) as u32, (300, 200), ONE, 100 * ONE),
+            1 => ProjectionBits::Frustum([-ONE, 2 * ONE, -2 * ONE, ONE], ONE, 100 * ONE),
+            _ => ProjectionBits::Reference(
+                [ONE, ONE / 2, 5 * ONE],
+                [-ONE, 2 * ONE, -2 * ONE, ONE],
+                4 * ONE,
+                -90 * ONE,
+            ),
         };
-        let area = rectangle(10, 20, 300, 200);
-        let viewport = Viewport::new(area.top_left, area.size).expect("a viewport");
-        let camera = Camera::new(&library, &family.library().expect("a projection"), &viewport);
-        let points = camera.vanishing_points();
+        let camera = CameraBits { view, projection, viewport: (10, 20, 300, 200) };
+        let points = camera.library().vanishing_points();
         let count = vpn.iter().filter(|&&c| c != 0).count();
         // Within 2⁻²⁵ of the view plane a point may be missing.
         let length = chain::length(chain::fx3(vpn));
         let close_to_plane = vpn.iter().any(|&c| c != 0 && fx(c).abs() / length < 2f64.powi(-20));
         assert!(close_to_plane || points.iter().flatten().count() == count, "{vpn:?} {points:?}");
         seen[count] += 1;
-        let (exact, picture, exact_viewport) =
-            (view.exact(), family.picture(), chain::Viewport::new(10, 20, 300, 200));
+        let (exact, picture) = (camera.exact(), projection.picture());
         for (axis, found) in points.iter().enumerate() {
             assert_eq!(found.is_some(), vpn[axis] != 0 || close_to_plane && found.is_some());
             let Some(found) = found else { continue };
             // The limit of points ever farther out on the axis, in f64.
             let sign = -f64::from(vpn[axis].signum());
             let limit = |t: f64| {
-                let direction: V3 = core::array::from_fn(|i| exact.rows[i][axis] * sign * t);
-                picture.screen(&exact_viewport, direction)
+                let direction: V3 = core::array::from_fn(|i| exact.view.rows[i][axis] * sign * t);
+                picture.screen(&exact.viewport, direction)
             };
             let ((x, y), (x_before, y_before)) = (limit(1e13), limit(1e12));
             let gap = (x - x_before).abs().max((y - y_before).abs());
             // The direction's slope against the view plane is known to 2⁻³⁰.
-            let slope = exact.rows[2][axis].abs();
+            let slope = exact.view.rows[2][axis].abs();
             let far = 1.0 + x.abs().max(y.abs());
             let room = 1.0 / 256.0
                 + gap
@@ -364,7 +365,7 @@ fn s4_n_point_perspectives_have_n_vanishing_points_where_the_axes_go() {
                 let got = (f64::from(found[0]) / 256.0, f64::from(found[1]) / 256.0);
                 assert!(
                     (got.0 - x).abs() <= room && (got.1 - y).abs() <= room,
-                    "{got:?} for {x} {y} ± {room}: {vpn:?} {family:?}"
+                    "{got:?} for {x} {y} ± {room}: {vpn:?} {projection:?}"
                 );
             } else {
                 assert!(found.iter().any(|c| f64::from(*c).abs() > 1e8), "{found:?} for {x} {y}");
@@ -381,11 +382,11 @@ fn s4_parallel_projections_have_no_vanishing_points() {
     for _ in 0..500 {
         let view = random_view(&mut rng).library().expect("a view");
         for family in [
-            Family::Orthographic(w, -ONE, ONE),
-            Family::Oblique(w, -ONE, ONE, rng.bits(), ONE),
-            Family::ReferenceParallel([ONE, ONE, ONE], w, 0, -ONE),
-            Family::PlanarParallel(w, -ONE, ONE),
-            Family::General(0, None, [ONE, ONE, 2 * ONE], w, -ONE, ONE),
+            ProjectionBits::Orthographic(w, -ONE, ONE),
+            ProjectionBits::Oblique(w, -ONE, ONE, rng.bits(), ONE),
+            ProjectionBits::ReferenceParallel([ONE, ONE, ONE], w, 0, -ONE),
+            ProjectionBits::PlanarParallel(w, -ONE, ONE),
+            ProjectionBits::General(0, None, [ONE, ONE, 2 * ONE], w, -ONE, ONE),
         ] {
             let camera = drawing(&view, &family.library().expect("a projection"));
             assert_eq!(camera.vanishing_points(), [None; 3], "{family:?}");
@@ -397,7 +398,7 @@ fn s4_parallel_projections_have_no_vanishing_points() {
 /// there, or down there, at the ends of the numbers.
 #[test]
 fn s4_vanishing_points_beyond_all_numbers_keep_their_side() {
-    let family = Family::FieldOfView((1 << 20) + 1, (240, 240), ONE, 9 * ONE);
+    let family = ProjectionBits::Perspective((1 << 20) + 1, (240, 240), ONE, 9 * ONE);
     for up in [1, -1] {
         let view = ViewTransform::from_reference(point([0; 3]), vector([0, -up, 5000]), vector([0, ONE, 0]));
         let camera = drawing(&view.expect("a view"), &family.library().expect("a projection"));
@@ -409,7 +410,8 @@ fn s4_vanishing_points_beyond_all_numbers_keep_their_side() {
 /// Verticals meet in a point if the view plane is inclined to them by 2⁻²⁵ or more, and stay parallel if by less.
 #[test]
 fn s4_vanishing_points_begin_at_their_documented_angle() {
-    let lens = Family::FieldOfView(1 << 30, (240, 240), ONE, 9 * ONE).library().expect("a projection");
+    let lens =
+        ProjectionBits::Perspective(1 << 30, (240, 240), ONE, 9 * ONE).library().expect("a projection");
     for (steps, is_finite) in [(33, true), (32, true), (31, false), (1, false), (0, false)] {
         for sign in [1.0, -1.0] {
             // The axis n has a component of so many 2⁻³⁰ along y.

@@ -7,8 +7,7 @@ use pinhole::{
     prelude::*,
 };
 use support::bridge::pair::{window, CameraBits, ModelBits, ProjectionBits, Step, ViewBits, ONE};
-use support::bridge::{point, reals, rectangle, scalar, vector};
-use support::definition::Family;
+use support::bridge::{point, reals, scalar, vector, viewport};
 use support::oracle::chain::mul4;
 use support::oracle::rng::Rng;
 
@@ -25,14 +24,11 @@ fn a_vertex_beyond_near_is_there_however_thin_the_volume() {
 /// w(far) = far/d passes 2³⁰ for the one far plane and not for the other: all depths are scaled by it.
 #[test]
 fn depth_of_a_picture_on_a_plane_close_to_the_eye() {
-    let far = Family::EyeAtOrigin(-1, [-2, 2, -2, 2], ONE, 32_767 * ONE);
+    let far = ProjectionBits::EyeAtOrigin(-1, [-2, 2, -2, 2], ONE, 32_767 * ONE);
     assert_eq!(far.library().err(), Some(CameraError::OutOfRange));
-    let family = Family::EyeAtOrigin(-1, [-2, 2, -2, 2], ONE, 16_000 * ONE);
-    let area = rectangle(0, 0, 40, 40);
-    let view = ViewTransform::from_reference(point([0; 3]), vector([0, 0, ONE]), vector([0, ONE, 0]));
-    let viewport = Viewport::new(area.top_left, area.size).expect("a viewport");
-    let camera = Camera::new(&view.expect("a view"), &family.library().expect("a projection"), &viewport);
-    let depth = camera.project(point([0, 0, -2 * ONE])).expect("seen").depth;
+    let family = ProjectionBits::EyeAtOrigin(-1, [-2, 2, -2, 2], ONE, 16_000 * ONE);
+    let depth =
+        CameraBits::ahead(family, (40, 40)).library().project(point([0, 0, -2 * ONE])).expect("seen").depth;
     let wanted = family.picture().depth([0.0, 0.0, -2.0]);
     assert!((f64::from(depth) - wanted).abs() <= 1.0, "{depth} instead of {wanted}");
 }
@@ -81,9 +77,7 @@ fn a_mesh_moved_far_away_and_back_is_in_place() {
         let narrow = 1.0 / (1024.0 * factor);
         let matrix = [row(0, narrow), row(1, narrow), row(2, -0.5 * narrow), last];
         let projection = Projection::from_matrix(&matrix).expect("a projection");
-        let area = rectangle(0, 0, 16, 16);
-        let viewport = Viewport::new(area.top_left, area.size).expect("a viewport");
-        let camera = Camera::new(&viewing, &projection, &viewport);
+        let camera = Camera::new(&viewing, &projection, &viewport(0, 0, 16, 16));
         // (±1, ±1, −240 ± 1) · 128
         let vertices = [[-1, -1, -241], [1, 1, -239], [0, 0, -240]];
         let vertices = vertices.map(|v: [i32; 3]| v.map(|c| scalar(c * 128 * ONE)));

@@ -9,9 +9,8 @@ use pinhole::camera::{Rotation, Visibility};
 use pinhole::math::Sphere;
 use pinhole::prelude::*;
 use pinhole::Angle;
-use support::bridge::pair::{bits, random_view, ONE};
+use support::bridge::pair::{bits, random_view, ProjectionBits, ONE};
 use support::bridge::point;
-use support::definition::Family;
 use support::oracle::chain::{fx3, V3};
 use support::oracle::rng::Rng;
 
@@ -26,13 +25,13 @@ fn turned_place(mut at: (f64, f64), mut size: (f64, f64), quarters: usize) -> (f
     at
 }
 
-fn lenses(size: (u32, u32)) -> [Family; 3] {
+fn lenses(size: (u32, u32)) -> [ProjectionBits; 3] {
     let (w, h) = (size.0 as i32 * 400, size.1 as i32 * 400);
     let window = [-w, 2 * w, -h, h];
     [
-        Family::FieldOfView(1 << 29, size, ONE, 900 * ONE),
-        Family::Orthographic(window, ONE, 900 * ONE),
-        Family::Oblique(window, ONE, 900 * ONE, 1 << 28, ONE / 2),
+        ProjectionBits::Perspective(1 << 29, size, ONE, 900 * ONE),
+        ProjectionBits::Orthographic(window, ONE, 900 * ONE),
+        ProjectionBits::Oblique(window, ONE, 900 * ONE, 1 << 28, ONE / 2),
     ]
 }
 
@@ -110,7 +109,7 @@ fn a_jittered_scene_leaves_nothing_out() {
     let mut rng = Rng::new(0x92);
     let size = Size::new(24, 16);
     let window = [-12 * ONE, 12 * ONE, -8 * ONE, 8 * ONE]; // a unit is a pixel
-    let lens = Family::Orthographic(window, ONE, 900 * ONE).library().expect("a lens");
+    let lens = ProjectionBits::Orthographic(window, ONE, 900 * ONE).library().expect("a lens");
     let eye = Point3::from_ints(0, 0, 100);
     let view =
         ViewTransform::look_at(eye, Point3::from_ints(0, 0, 0), Vector3::from_ints(0, 1, 0)).expect("a view");

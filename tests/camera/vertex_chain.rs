@@ -10,9 +10,9 @@ use pinhole::{
     camera::{CameraError, Projected},
     prelude::*,
 };
-use support::bridge::pair::{bits, random_view, ModelBits, Step, ViewBits};
-use support::bridge::{point, rectangle, scalar};
-use support::definition::{Family, Picture, Projectors};
+use support::bridge::pair::{bits, random_view, CameraBits, ModelBits, ProjectionBits, Step};
+use support::bridge::{point, scalar};
+use support::definition::{Picture, Projectors};
 use support::oracle::chain::{self, fx, length, to_fx, V3};
 use support::oracle::rng::Rng;
 
@@ -76,7 +76,7 @@ fn window(rng: &mut Rng, at: [f64; 2], distance: f64, focal: [f64; 2]) -> Option
 }
 
 /// A random projection: near, far and focal length over their whole ranges.
-fn family(rng: &mut Rng, kind: Kind, distance: f64) -> Option<Family> {
+fn family(rng: &mut Rng, kind: Kind, distance: f64) -> Option<ProjectionBits> {
     let focal = [(); 2].map(|()| rng.log(FOCAL.0, FOCAL.1));
     // Distances of near and far from the centre; for a parallel projection, signed positions around it.
     let near = to_fx(rng.log(NEAR, NEAR + distance.min(3000.0)))?.max((NEAR * 65_536.0) as i32);
@@ -100,13 +100,13 @@ fn family(rng: &mut Rng, kind: Kind, distance: f64) -> Option<Family> {
                 true => ((1000.0 * width / height * focal[1] / focal[0]).ceil() as u32, 1000),
                 false => SIZE.map(|c| c as u32).into(),
             };
-            Family::FieldOfView((fov * 4_294_967_296.0).ceil() as u32, aspect, near, far)
+            ProjectionBits::Perspective((fov * 4_294_967_296.0).ceil() as u32, aspect, near, far)
         }
-        Kind::Frustum => Family::Frustum(window(rng, [0.0; 2], fx(near), focal)?, near, far),
-        Kind::Orthographic => Family::Orthographic(flat(rng)?, low?, high?),
+        Kind::Frustum => ProjectionBits::Frustum(window(rng, [0.0; 2], fx(near), focal)?, near, far),
+        Kind::Orthographic => ProjectionBits::Orthographic(flat(rng)?, low?, high?),
         Kind::Oblique => {
             let factor = to_fx(rng.real(-SLANT, SLANT))?;
-            Family::Oblique(flat(rng)?, low?, high?, rng.bits(), factor)
+            ProjectionBits::Oblique(flat(rng)?, low?, high?, rng.bits(), factor)
         }
         Kind::Reference | Kind::ReferenceParallel => {
             let n = rng.log(0.25, 3000.0);
@@ -125,17 +125,17 @@ fn family(rng: &mut Rng, kind: Kind, distance: f64) -> Option<Family> {
             let prp = bits([beside([w[0], w[1]]), beside([w[2], w[3]]), n])?;
             match kind {
                 Kind::Reference => {
-                    Family::Reference(prp, w, prp[2].checked_sub(near)?, prp[2].checked_sub(far)?)
+                    ProjectionBits::Reference(prp, w, prp[2].checked_sub(near)?, prp[2].checked_sub(far)?)
                 }
-                _ => Family::ReferenceParallel(prp, w, low?.checked_neg()?, high?.checked_neg()?),
+                _ => ProjectionBits::ReferenceParallel(prp, w, low?.checked_neg()?, high?.checked_neg()?),
             }
         }
         Kind::EyeAtOrigin | Kind::OriginInPlane => {
             let d = to_fx(-rng.log(0.25, 3000.0))?;
             let w = window(rng, [0.0; 2], -fx(d), focal)?;
             match kind {
-                Kind::EyeAtOrigin => Family::EyeAtOrigin(d, w, near, far),
-                _ => Family::OriginInPlane(d, w, near.checked_add(d)?, far.checked_add(d)?),
+                Kind::EyeAtOrigin => ProjectionBits::EyeAtOrigin(d, w, near, far),
+                _ => ProjectionBits::OriginInPlane(d, w, near.checked_add(d)?, far.checked_add(d)?),
             }
         }
         Kind::General => {
@@ -146,12 +146,19 @@ fn family(rng: &mut Rng, kind: Kind, distance: f64) -> Option<Family> {
             let [x, y, z] = unit.map(|v| v * fx(q));
             let w = window(rng, [x, y], z, focal)?;
             let centre = to_fx(z)?.checked_add(z_p)?;
-            Family::General(z_p, Some(q), direction, w, near.checked_sub(centre)?, far.checked_sub(centre)?)
+            ProjectionBits::General(
+                z_p,
+                Some(q),
+                direction,
+                w,
+                near.checked_sub(centre)?,
+                far.checked_sub(centre)?,
+            )
         }
         Kind::GeneralParallel => {
             let direction = direction()?;
             let z_p = to_fx(distance.min(3000.0) * rng.real(-1.0, 1.0))?;
-            Family::General(z_p, None, direction, flat(rng)?, low?, high?)
+            ProjectionBits::General(z_p, None, direction, flat(rng)?, low?, high?)
         }
     })
 }
@@ -159,10 +166,8 @@ fn family(rng: &mut Rng, kind: Kind, distance: f64) -> Option<Family> {
 /// A camera, and an object whose first vertex lies in the picture.
 #[derive(Debug)]
 struct Case {
-    view: ViewBits,
-    family: Family,
+    camera: CameraBits,
     picture: Picture,
-    corner: (i32, i32),
     model: ModelBits,
     vertices: Vec<[i16; 3]>,
     exponent: i8,
@@ -230,9 +235,9 @@ impl Case {
                 fixed.push(bits(chain::vertex(v, exponent).map(|c| c + step * rng.real(-0.5, 0.5)))?);
             }
         }
-        let corner = ([0, 0, -17, 100][rng.below(4)], [0, 0, 33, -200][rng.below(4)]);
-        let mut case =
-            Self { view, family, picture, corner, model, vertices, exponent, fixed, half_extent: 0.0 };
+        let viewport = ([0, 0, -17, 100][rng.below(4)], [0, 0, 33, -200][rng.below(4)], 480, 320);
+        let camera = CameraBits { view, projection: family, viewport };
+        let mut case = Self { camera, picture, model, vertices, exponent, fixed, half_extent: 0.0 };
         let first = case.model.exact().apply(case.position(0));
         case.model.0.push(Step::Move(bits(core::array::from_fn(|i| world[i] - first[i]))?));
         let exact = case.model.exact();
@@ -286,7 +291,7 @@ impl Case {
             true => 1.0 / 256.0,
             false => 1.0 / 512.0 + 6.5e-6 * ratio * (scale / scales[1]).max(1.0),
         };
-        let (left, top) = (f64::from(self.corner.0), f64::from(self.corner.1));
+        let [left, top] = [self.camera.viewport.0, self.camera.viewport.1].map(f64::from);
         let viewport = chain::Viewport { x: left, y: top, width, height };
         let (x, y) = picture.screen(&viewport, at);
         let farthest = x.abs().max(y.abs());
@@ -317,11 +322,8 @@ fn run(seed: u64, count: usize, kind: Kind, class: Class) {
     while set_ups < count {
         let Some(case) = Case::random(&mut rng, kind, &class) else { continue };
         set_ups += 1;
-        let area = rectangle(case.corner.0, case.corner.1, SIZE[0] as u32, SIZE[1] as u32);
-        let viewport = Viewport::new(area.top_left, area.size).expect("a viewport");
-        let lens = case.family.library().expect("a projection");
-        let camera = Camera::new(&case.view.library().expect("a view"), &lens, &viewport);
-        let (view, model, exact) = (case.view.exact(), case.model.library(), case.model.exact());
+        let camera = case.camera.library();
+        let (view, model, exact) = (case.camera.view.exact(), case.model.library(), case.model.exact());
         let fixed: Vec<_> = case.fixed.iter().map(|v| v.map(scalar)).collect();
         for i in 0..case.vertices.len() {
             let found = match class.fixed {

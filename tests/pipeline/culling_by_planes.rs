@@ -255,8 +255,7 @@ fn meshes_that_are_cut_are_equal_in_every_way_of_drawing() {
         let mut at = |reach: [i64; 3]| reach.map(|reach| (rng.int(-reach, reach) << 16) as i32 / 1000);
         let camera = CameraBits {
             view: ViewBits::LookAt(at([1200, 1200, 900]), at([1000, 1000, 300]), [ONE, 2 * ONE, 3 * ONE]),
-            projection: ProjectionBits::Perspective(fov, (CUT.size.width, CUT.size.height), near, 20 * ONE),
-            viewport: (0, 0, CUT.size.width, CUT.size.height),
+            ..CameraBits::perspective(fov, (CUT.size.width, CUT.size.height), near, 20 * ONE)
         };
         let camera = camera.library().with_far_clip(true);
         let model = ModelBits(vec![Step::Y(rng.bits())]).library();

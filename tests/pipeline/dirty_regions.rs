@@ -3,12 +3,9 @@
 use embedded_graphics_core::geometry::{Point, Size};
 use embedded_graphics_core::primitives::Rectangle;
 use pinhole::bands::{DirtyRegions, TransferCost};
+use support::bridge::rectangle as at;
 
 const SCREEN: Rectangle = Rectangle::new(Point::zero(), Size::new(240, 240));
-
-fn at(x: i32, y: i32, width: u32, height: u32) -> Rectangle {
-    Rectangle::new(Point::new(x, y), Size::new(width, height))
-}
 
 fn taken<const N: usize>(bits: u32, marks: &[Rectangle]) -> Vec<Rectangle> {
     let mut dirty = DirtyRegions::<N>::new(SCREEN, TransferCost::new(bits, TransferCost::MIPI_DCS));

@@ -4,7 +4,7 @@ use embedded_graphics_core::geometry::Point;
 use embedded_graphics_core::pixelcolor::BinaryColor;
 use pinhole::{mesh::edge_faces, prelude::*};
 use support::bridge;
-use support::bridge::pair::{CameraBits, ModelBits, ProjectionBits, Step, ViewBits, ONE};
+use support::bridge::pair::{CameraBits, ModelBits, Step, ViewBits, ONE};
 use support::bridge::ways::{bands, screen};
 use support::oracle::hidden::{self, Vertex};
 use support::oracle::line;
@@ -184,8 +184,7 @@ fn an_edge_of_a_face_seen_edge_on_is_drawn_whole() {
     for pitch in coarse.chain((0..1_800).map(|step| f64::from(step) / 5_000.0 - 6.31)) {
         let camera = CameraBits {
             view: ViewBits::LookAt(at(324.37, pitch, 6.0), [0; 3], [0, ONE, 0]),
-            projection: ProjectionBits::Perspective(1 << 29, (160, 120), ONE, 20 * ONE),
-            viewport: (0, 0, 160, 120),
+            ..CameraBits::perspective(1 << 29, (160, 120), ONE, 20 * ONE)
         };
         let library = camera.library();
         let instance = library.place(&mesh, &ModelBits::default().library());
@@ -276,8 +275,7 @@ fn an_edge_without_faces_stays_so_in_large_meshes() {
     let (edges, beside) = ([[4, 5]], [[Mesh::<i16>::NO_FACE; 2]]);
     let camera = CameraBits {
         view: ViewBits::LookAt([0, 0, 8 * ONE], [0; 3], [0, ONE, 0]),
-        projection: ProjectionBits::Perspective(1 << 30, (1, 1), ONE, 20 * ONE),
-        viewport: (0, 0, 64, 64),
+        ..CameraBits::perspective(1 << 30, (64, 64), ONE, 20 * ONE)
     }
     .library();
     let model = ModelBits::default().library();
@@ -319,8 +317,7 @@ fn hidden_lines_draw_the_edges_of_clipped_faces() {
         let to = [0; 3].map(|_| rng.int(-i64::from(ONE), i64::from(ONE)) as i32);
         let camera = CameraBits {
             view: ViewBits::LookAt(eye, to, [0, ONE, ONE / 7]),
-            projection: ProjectionBits::Perspective(1 << 30, (1, 1), ONE, 20 * ONE),
-            viewport: (0, 0, SIDE, SIDE),
+            ..CameraBits::perspective(1 << 30, (SIDE, SIDE), ONE, 20 * ONE)
         }
         .library();
         let model = ModelBits(vec![Step::X(rng.bits()), Step::Y(rng.bits())]).library();

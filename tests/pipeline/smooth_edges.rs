@@ -19,7 +19,7 @@ use support::bridge::{
     self,
     pair::{CameraBits, ModelBits, Step},
 };
-use support::oracle::rng::Rng;
+use support::oracle::{chain, rng::Rng};
 use support::smooth_scenes::{camera, grey, reference, scenes, Reference, Scene, BACKGROUND, NO_CREASES};
 
 /// Draws parts of the screen one after the other, each in bands of a strip of this many rows and `beyond` pixels larger on each side than
@@ -489,27 +489,11 @@ fn area_of_one_side(corners: [[f64; 2]; 3], [x, y]: [f64; 2]) -> Option<f64> {
     if sides.iter().filter(is_near).count() != 1 || is_corner_near || turn == 0.0 {
         return None;
     }
-    // The pixel's square, cut by each side: Sutherland and Hodgman.
-    let mut polygon = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]].map(|[u, v]| [x + u, y + v]).to_vec();
-    for side in sides {
-        let mut cut = Vec::new();
-        for i in 0..polygon.len() {
-            let (p, q) = (polygon[i], polygon[(i + 1) % polygon.len()]);
-            let [s, t] = [p, q].map(|point| turn * beyond(side, point));
-            if s >= 0.0 {
-                cut.push(p);
-            }
-            if (s >= 0.0) != (t >= 0.0) {
-                cut.push([0, 1].map(|axis| p[axis] + (q[axis] - p[axis]) * s / (s - t)));
-            }
-        }
-        polygon = cut;
-    }
-    let twice = (0..polygon.len()).map(|i| {
-        let ([a, b], [c, d]) = (polygon[i], polygon[(i + 1) % polygon.len()]);
-        a * d - b * c
-    });
-    Some((twice.sum::<f64>() / 2.0).abs())
+    let square = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]].map(|[u, v]| [x + u, y + v]);
+    let inside = sides
+        .into_iter()
+        .fold(square.to_vec(), |polygon, side| chain::cut(&polygon, |point| turn * beyond(side, *point)));
+    Some(chain::area(&inside))
 }
 
 /// Objects of which one is clipped by the viewport, one by the near plane, and one shows its back faces.

@@ -1,14 +1,14 @@
-//! Texels mixed of four neighbours, against f64, which shares no code with the library; and equal pixels by every draw call.
+//! Texels mixed of four neighbours, against f64, which shares no code with the library. That pixels are equal by every draw call is tested in
+//! `mips`.
 
-use crate::rays::{camera, floor, library, perspective, Faces, AREA, PACKING, SKY, WALL};
+use crate::rays::{camera, floor, library, perspective, Faces, PACKING, WALL};
 use crate::scene::Own;
 use embedded_graphics::pixelcolor::{Bgr555, Bgr666, BinaryColor, Gray4, Gray8, Rgb565, Rgb888, RgbColor};
 use pinhole::{
     color::Color,
     prelude::*,
-    texture::{Accuracy, BilinearTexels, IndexedTexels, MipPicture, MipTexels, TexelSlice, Texels},
+    texture::{Accuracy, BilinearTexels, TexelSlice, Texels},
 };
-use support::bridge::ways::{by_every_call, everywhere};
 use support::oracle::rng::Rng;
 use support::oracle::texture::bilinear;
 
@@ -125,35 +125,4 @@ fn magnified_faces_show_the_mixed_picture() {
         pixels > 50_000 && (bound / 2.0..=bound).contains(&largest),
         "{pixels} pixels, {largest} of {bound}"
     );
-}
-
-/// However a row is cut into spans, a pixel is mixed alike: of repeated, clamped and lit textures, with mip levels and of a palette.
-#[test]
-fn filtered_faces_are_equal_by_every_draw_call() {
-    let mut rng = Rng::new(7);
-    let built = MipPicture::build(
-        [[(); 32]; 32].map(|row| row.map(|()| Rgb888::new(rng.int(0, 255) as u8, rng.int(0, 255) as u8, 9))),
-    );
-    let bytes: Vec<u8> = (0..32 * 32).map(|_| rng.int(0, 255) as u8).collect();
-    let palette: Vec<Rgb888> = (0..=255).map(|i| Rgb888::new(i, 255 - i, 40)).collect();
-    let indexed = BilinearTexels::new(IndexedTexels::<_, 8>::new(&bytes, 32, 32, &palette).unwrap());
-    let usual = library(&perspective(2000.0));
-    for (name, faces) in [
-        ("horizon", Faces::quad(floor(0.9, 1000.0, 900.0), 20.0, 800, -5)),
-        ("wall", Faces::quad(WALL, 70.0, 100, -4)),
-        ("soup", Faces::soup(&mut Rng::new(9), 60, 400, 2500, |rng| rng.int(-800, 800) as i16)),
-        ("small", Faces::soup(&mut Rng::new(52), 300, 900, 900, |rng| rng.int(-200, 200) as i16)),
-    ] {
-        let (camera, texture) = (camera(&usual), Texture::new(indexed));
-        let levels = |face: usize| [40 * face as u16 % 257, 256, 90 * face as u16 % 200];
-        let with_levels = Texture::new(BilinearTexels::new(MipTexels::new(&built)));
-        faces.place(&camera, &mut |instance| {
-            let (drawn, _) =
-                by_every_call(instance, AREA, SKY, &[13, 240], &|face| texture.at(faces.uv[face]));
-            assert!(drawn.solid.iter().filter(|&&pixel| pixel != SKY).count() > 5_000, "{name}");
-            everywhere(instance, AREA, SKY, &|face| texture.clamped_at(faces.uv[face]));
-            everywhere(instance, AREA, SKY, &|face| texture.clamped_at(faces.uv[face]).lit(levels(face)));
-            everywhere(instance, AREA, SKY, &|face| with_levels.at(faces.uv[face]));
-        });
-    }
 }

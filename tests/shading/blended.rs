@@ -1,6 +1,6 @@
 //! Translucency: faces over what is behind them, face by face. The levels of the colours themselves are tested in `colors.rs`.
 
-use crate::rays::{each_level, everywhere, usual, Faces, AREA, SIZE, SKY};
+use crate::rays::{each_level, everywhere, Faces, AREA, SIZE, SKY};
 use embedded_graphics::pixelcolor::Rgb888;
 use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::Rectangle;
@@ -12,18 +12,6 @@ use pinhole::{
 };
 use support::bridge::ways::{memory, memory_with};
 use support::oracle::rng::Rng;
-
-/// Draws faces into memory, with depth.
-fn draw_deep<S: SpanShader<Rgb888>>(
-    faces: &Faces,
-    shade: &dyn Fn(usize) -> S,
-    target: &mut Pixels<'_, Rgb888>,
-    depth: &mut DepthBuffer<'_>,
-) {
-    faces.place(&usual(), &mut |instance| {
-        let Ok(_) = instance.faces(shade).draw(&mut target.depth_tested(depth));
-    });
-}
 
 /// A scene behind, drawn with depth, and translucent faces in the order of the mesh; `opaque` is the shader without translucency.
 /// The pixels that each face alone draws in front of the scene are mixed with the pixels before it.
@@ -37,16 +25,16 @@ fn check_scene<S: SpanShader<Rgb888>, B: SpanShader<Rgb888>>(
     let paint: &dyn Fn(usize) -> Rgb888 =
         &|face| Rgb888::new(40 + face as u8, !(face as u8), (17 * face) as u8);
     let (before, stored) =
-        memory_with(AREA, AREA, SKY, &mut |target, depth| draw_deep(&behind, paint, target, depth));
+        memory_with(AREA, AREA, SKY, &mut |target, depth| behind.draw_deep(paint, target, depth));
     let (mut wanted, mut counts) = (before.clone(), [0; 2]);
     let none = Rgb888::new(255, 254, 253); // no shader draws it
     for face in 0..front.uv.len() {
         let alone = front.alone(face);
         let opaque: &dyn Fn(usize) -> S = &|_| opaque(face);
-        let all = memory(AREA, none, &mut |target, depth| draw_deep(&alone, opaque, target, depth));
+        let all = memory(AREA, none, &mut |target, depth| alone.draw_deep(opaque, target, depth));
         let own = memory(AREA, none, &mut |target, depth| {
-            draw_deep(&behind, paint, &mut Pixels::new(&mut vec![none; before.len()], AREA).unwrap(), depth);
-            draw_deep(&alone, opaque, target, depth);
+            behind.draw_deep(paint, &mut Pixels::new(&mut vec![none; before.len()], AREA).unwrap(), depth);
+            alone.draw_deep(opaque, target, depth);
         });
         for (wanted, own) in wanted.iter_mut().zip(&own).filter(|(_, own)| **own != none) {
             *wanted = mix(*own, *wanted);
@@ -57,8 +45,8 @@ fn check_scene<S: SpanShader<Rgb888>, B: SpanShader<Rgb888>>(
     assert!(counts.iter().all(|&count| count > 300), "{counts:?} drawn and hidden");
     for depth_area in [AREA, Rectangle::new(Point::new(-2, -1), SIZE + Size::new(4, 3))] {
         let drawn = memory_with(AREA, depth_area, SKY, &mut |target, depth| {
-            draw_deep(&behind, paint, target, depth);
-            draw_deep(front, translucent, target, depth);
+            behind.draw_deep(paint, target, depth);
+            front.draw_deep(translucent, target, depth);
         });
         assert!(drawn.1 == stored, "depth is not stored");
         assert!(drawn.0 == wanted && drawn.0 != before);

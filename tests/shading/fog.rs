@@ -489,11 +489,7 @@ fn factors(scene: &Faces) -> Drawn<Rgb888> {
 
 /// The picture with depth, and the depths.
 fn deep<S: SpanShader<Rgb888>>(scene: &Faces, shade: &dyn Fn(usize) -> S) -> (Vec<Rgb888>, Vec<u16>) {
-    memory_with(AREA, AREA, SKY, &mut |target, depth| {
-        scene.place(&usual(), &mut |instance| {
-            let Ok(_) = instance.faces(shade).draw(&mut target.depth_tested(depth));
-        });
-    })
+    memory_with(AREA, AREA, SKY, &mut |target, depth| scene.draw_deep(shade, target, depth))
 }
 
 /// Pixels in fog are those of the shader alone, mixed by the factors. Returns the number of pixels of each factor.

@@ -67,7 +67,7 @@ fn channels(colour: Lit) -> V3 {
 }
 
 /// The levels of a target; greys by the luma of Rec. 601 with weights 77, 150 and 29 of 256.
-fn levels(depths: Depths, channels: V3) -> Vec<f64> {
+pub(crate) fn levels(depths: Depths, channels: V3) -> Vec<f64> {
     let [r, g, b] = channels;
     match *depths.0 {
         [max] => vec![(77.0 * r + 150.0 * g + 29.0 * b) / 256.0 * max as f64 / 255.0],

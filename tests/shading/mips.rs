@@ -2,15 +2,14 @@
 //! pixel covers, which changes little when the camera moves a little. Against f64, which shares no code with the library.
 
 use crate::rays::{
-    camera, camera_on, floor, library, perspective, Faces, Numbered, Shown, AREA, FOV, SKY, WALL,
+    camera, camera_on, everywhere, floor, library, perspective, usual, Faces, Numbered, Shown, FOV, WALL,
 };
 use embedded_graphics::pixelcolor::{Gray8, GrayColor, Rgb888};
 use embedded_graphics::prelude::*;
 use pinhole::{
     prelude::*,
-    texture::{IndexedTexels, MipPicture, MipTexels, Texels},
+    texture::{BilinearTexels, IndexedTexels, MipPicture, MipTexels, Texels},
 };
-use support::bridge::ways::{by_every_call, everywhere};
 use support::oracle::chain;
 use support::oracle::rng::Rng;
 use support::oracle::texture::mean_about;
@@ -156,33 +155,34 @@ fn a_floor_to_the_horizon_does_not_sparkle() {
     assert!(is_about(without[1], 14.3) && is_about(with[1], 11.0), "change {without:?} {with:?}");
 }
 
-/// However a row is cut into spans, a pixel shows the same copy: of repeated, clamped, lit and indexed texels.
+/// Of copies, of texels mixed of four, and of both, in memory and of a palette.
 #[test]
-fn faces_with_copies_are_equal_by_every_draw_call() {
+fn faces_with_copies_or_mixed_texels_are_equal_by_every_draw_call() {
     let mut rng = Rng::new(7);
     let built = MipPicture::build(
         [[(); 32]; 32].map(|row| row.map(|()| Rgb888::new(rng.int(0, 255) as u8, rng.int(0, 255) as u8, 9))),
     );
     let bytes: Vec<u8> = (0..32 * 64).map(|_| rng.int(0, 255) as u8).collect();
     let palette: Vec<Rgb888> = (0..=255).map(|i| Rgb888::new(i, 255 - i, 40)).collect();
-    let indexed = MipTexels::new(IndexedTexels::<_, 8>::new(&bytes, 32, 64, &palette).unwrap());
-    let usual = library(&perspective(2000.0));
-    for (name, lens, faces) in [
-        ("horizon", usual, Faces::quad(floor(0.9, 1000.0, 900.0), 20.0, 1600, -5)),
-        ("wall", usual, Faces::quad(WALL, 70.0, 400, -4)),
-        ("soup", usual, Faces::soup(&mut Rng::new(9), 60, 400, 2500, |rng| rng.int(-4000, 4000) as i16)),
-        ("small", usual, Faces::soup(&mut Rng::new(52), 300, 900, 900, |rng| rng.int(-500, 500) as i16)),
-    ] {
-        let (camera, texture, indexed) =
-            (camera(&lens), Texture::new(MipTexels::new(&built)), Texture::new(indexed));
-        let levels = |face: usize| [40 * face as u16 % 257, 256, 90 * face as u16 % 200];
-        faces.place(&camera, &mut |instance| {
-            let (drawn, _) =
-                by_every_call(instance, AREA, SKY, &[13, 240], &|face| texture.at(faces.uv[face]));
-            assert!(drawn.solid.iter().filter(|&&pixel| pixel != SKY).count() > 5_000, "{name}");
-            everywhere(instance, AREA, SKY, &|face| texture.clamped_at(faces.uv[face]));
-            everywhere(instance, AREA, SKY, &|face| texture.at(faces.uv[face]).lit(levels(face)));
-            everywhere(instance, AREA, SKY, &|face| indexed.at(faces.uv[face]));
-        });
+    let (copies, indexed) =
+        (MipTexels::new(&built), IndexedTexels::<_, 8>::new(&bytes, 32, 64, &palette).unwrap());
+    let both = Texture::new(BilinearTexels::new(copies));
+    let indexed_copies = Texture::new(MipTexels::new(indexed));
+    let scenes = |horizon, wall, soup: i64, small: i64| {
+        let uv = |reach: i64| move |rng: &mut Rng| rng.int(-reach, reach) as i16;
+        [
+            ("horizon", Faces::quad(floor(0.9, 1000.0, 900.0), 20.0, horizon, -5)),
+            ("wall", Faces::quad(WALL, 70.0, wall, -4)),
+            ("soup", Faces::soup(&mut Rng::new(9), 60, 400, 2500, uv(soup))),
+            ("small", Faces::soup(&mut Rng::new(52), 300, 900, 900, uv(small))),
+        ]
+    };
+    for (name, faces) in scenes(1600, 400, 4000, 500) {
+        faces.texture_by_every_call(name, &usual(), copies);
+        everywhere(&faces, &|face| indexed_copies.at(faces.uv[face]));
+    }
+    for (name, faces) in scenes(800, 100, 800, 200) {
+        faces.texture_by_every_call(name, &usual(), BilinearTexels::new(indexed));
+        everywhere(&faces, &|face| both.at(faces.uv[face]));
     }
 }

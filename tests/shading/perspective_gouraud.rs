@@ -1,6 +1,7 @@
 //! Gouraud shading in perspective: each level against the colour on a ray in f64, which shares no code with the library, on several
 //! kinds of target; and equal pixels however spans are cut.
 
+use crate::levels::levels;
 use crate::rays::{camera, everywhere, floor, library, perspective, Faces, WALL};
 use crate::scene::Colour;
 use embedded_graphics::pixelcolor::{Gray8, Rgb565, Rgb888};
@@ -47,11 +48,8 @@ fn worst<C: Colour, S: SpanShader<C, Ink = C>>(
     let ray = faces.weights(face, matrix).0;
     let levels = |[u, v]: [f64; 2]| {
         let [first, second, third] = colours(face).map(|color| color.map(f64::from));
-        let [r, g, b] = [0, 1, 2].map(|i| first[i] + u * (second[i] - first[i]) + v * (third[i] - first[i]));
-        match *C::DEPTHS.0 {
-            [max] => vec![(77.0 * r + 150.0 * g + 29.0 * b) / 256.0 * max as f64 / 255.0],
-            ref all => all.iter().zip([r, g, b]).map(|(&max, level)| level * max as f64 / 255.0).collect(),
-        }
+        let mixed = |i: usize| first[i] + u * (second[i] - first[i]) + v * (third[i] - first[i]);
+        levels(C::DEPTHS, [0, 1, 2].map(mixed))
     };
     let (mut worst, mut count) = (0.0f64, 0);
     for (at, shown) in faces.draw(face, &camera(&library(matrix)), shader).drawn() {

@@ -5,14 +5,14 @@ use embedded_graphics::pixelcolor::{PixelColor, Rgb888, RgbColor};
 use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::Rectangle;
 use pinhole::space::{Model, World};
-use pinhole::{color::Unmixed, prelude::*, shading::SpanShader, texture::Texels};
+use pinhole::{color::Unmixed, prelude::*, shading::SpanShader, target::Pixels, texture::Texels};
 pub(crate) use support::bridge::texels::{Numbered, Shown};
-use support::bridge::ways::{self, Drawn};
+use support::bridge::ways::{self, by_every_call, Drawn};
 use support::oracle::chain::{self, M4, V3};
 use support::oracle::rng::Rng;
 use support::oracle::shade;
 use support::oracle::target::Screen;
-use support::oracle::texture::{off_clamped, off_repeated, Range, Ray};
+use support::oracle::texture::{Range, Ray};
 
 pub(crate) const SIDE: u32 = 240;
 pub(crate) const SIZE: Size = Size::new(SIDE, SIDE);
@@ -153,6 +153,40 @@ impl Faces {
         screen
     }
 
+    /// Draws the faces into memory, with depth, before the usual camera.
+    pub(crate) fn draw_deep<S: SpanShader<Rgb888>>(
+        &self,
+        shade: &dyn Fn(usize) -> S,
+        target: &mut Pixels<'_, Rgb888>,
+        depth: &mut DepthBuffer<'_>,
+    ) {
+        self.place(&usual(), &mut |instance| {
+            let Ok(_) = instance.faces(shade).draw(&mut target.depth_tested(depth));
+        });
+    }
+
+    /// Draws the faces by every draw call, with texels that are repeated and clamped, lit and not: however a row is cut into spans, by
+    /// another target, by bands, by parts, by the painter or by what the depth buffer hides, a pixel shows the same.
+    pub(crate) fn texture_by_every_call<T: Texels<Color = Rgb888, Ink = Rgb888> + Copy>(
+        &self,
+        name: &str,
+        camera: &Camera,
+        texels: T,
+    ) {
+        let (texture, uv, heights) = (Texture::new(texels), &self.uv, [13, SIDE]);
+        let levels = |face: usize| [40 * face as u16 % 257, 256, 90 * face as u16 % 200];
+        self.place(camera, &mut |instance| {
+            let (drawn, _) = by_every_call(instance, AREA, SKY, &heights, &|face| texture.at(uv[face]));
+            let pixels = drawn.solid.iter().filter(|&&pixel| pixel != SKY).count();
+            assert!(pixels > 5_000, "{name}: {pixels}");
+            ways::everywhere(instance, AREA, SKY, &|face| texture.clamped_at(uv[face]));
+            ways::everywhere(instance, AREA, SKY, &|face| texture.at(uv[face]).lit(levels(face)));
+            by_every_call(instance, AREA, SKY, &heights, &|face| {
+                texture.clamped_at(uv[face]).lit(levels(face))
+            });
+        });
+    }
+
     /// The exact coordinates of a face, in units of `unit` texels, under a projection of the screen.
     pub(crate) fn ray(&self, face: usize, projection: &M4, unit: [f64; 2]) -> FaceRay {
         self.ray_of(
@@ -195,18 +229,9 @@ pub(crate) const WALL: [[f64; 3]; 4] =
 pub(crate) struct FaceRay(pub(crate) Ray);
 
 impl FaceRay {
-    /// The largest error in texels of a picture, beyond a shift of 1/64 pixel, where the picture repeats; and how many pixels there
-    /// are.
-    pub(crate) fn worst_repeated(&self, picture: &Screen<Shown>, bits: [u32; 2]) -> (f64, usize) {
-        self.worst(picture, bits, off_repeated)
-    }
-
-    /// The largest error, and the number of pixels, where the edge of the picture continues.
-    pub(crate) fn worst_clamped(&self, picture: &Screen<Shown>, bits: [u32; 2]) -> (f64, usize) {
-        self.worst(picture, bits, off_clamped)
-    }
-
-    fn worst(
+    /// The largest error in texels of a picture, beyond a shift of 1/64 pixel, and how many pixels there are. `off` is `off_repeated` or
+    /// `off_clamped`.
+    pub(crate) fn worst(
         &self,
         picture: &Screen<Shown>,
         bits: [u32; 2],

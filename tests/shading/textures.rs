@@ -2,8 +2,7 @@
 //! against rays in f64, which share no code with the library; and equal pixels by every draw call.
 
 use crate::rays::{
-    camera, camera_on, floor, library, perspective, Faces, Numbered, Shown, Wide, AREA, FOV, PACKING, SIDE,
-    SKY, WALL,
+    camera, camera_on, floor, library, perspective, Faces, Numbered, Shown, Wide, FOV, PACKING, WALL,
 };
 use embedded_graphics::pixelcolor::Rgb888;
 use embedded_graphics::prelude::*;
@@ -14,10 +13,9 @@ use pinhole::{
     texture::{Accuracy, IndexedTexels, TexelSlice, Texels, TextureError},
     Angle,
 };
-use support::bridge::ways::{by_every_call, everywhere};
 use support::oracle::chain::{self, M4};
 use support::oracle::rng::Rng;
-use support::oracle::texture::off_repeated;
+use support::oracle::texture::{off_clamped, off_repeated};
 
 /// The accuracies of a texture, in texels.
 const ACCURACIES: [(Accuracy, f64); 3] =
@@ -117,9 +115,10 @@ impl Case {
             wide = wide.with_exponent(exponent).unwrap();
         }
         let (texture, wide) = (texture.with_accuracy(self.accuracy), wide.with_accuracy(self.accuracy));
-        let (repeated, count) = ray.worst_repeated(&faces.draw(face, &self.camera, wide.at(uv)), bits);
-        let (packed, _) = ray.worst_repeated(&faces.draw(face, &self.camera, texture.at(uv)), bits);
-        let (clamped, _) = ray.worst_clamped(&faces.draw(face, &self.camera, texture.clamped_at(uv)), bits);
+        let (repeated, count) = ray.worst(&faces.draw(face, &self.camera, wide.at(uv)), bits, off_repeated);
+        let (packed, _) = ray.worst(&faces.draw(face, &self.camera, texture.at(uv)), bits, off_repeated);
+        let (clamped, _) =
+            ray.worst(&faces.draw(face, &self.camera, texture.clamped_at(uv)), bits, off_clamped);
         let packing = f64::from(1 << bits[0].max(bits[1])) * PACKING;
         ([repeated, packed - packing, clamped], count)
     }
@@ -395,8 +394,7 @@ impl Texels for Colored {
     }
 }
 
-/// However a row is cut into spans, by another target, by bands, by parts, by the painter or by what the depth buffer hides, a pixel
-/// shows the same texel: of repeated, clamped and lit textures of faces that planes cut.
+/// Of faces that planes cut.
 #[test]
 fn textured_faces_are_equal_by_every_draw_call() {
     let mut rng = Rng::new(51);
@@ -421,19 +419,6 @@ fn textured_faces_are_equal_by_every_draw_call() {
         ("cabinet", cabinet().1, soup(900)),
         ("small faces", cabinet().1, small),
     ] {
-        let camera = camera(&lens).with_far_clip(true);
-        let texture = Texture::new(Colored);
-        let levels = |face: usize| [40 * face as u16 % 257, 256, 90 * face as u16 % 200];
-        faces.place(&camera, &mut |instance| {
-            let (drawn, _) =
-                by_every_call(instance, AREA, SKY, &[13, SIDE], &|face| texture.at(faces.uv[face]));
-            let pixels = drawn.solid.iter().filter(|&&pixel| pixel != SKY).count();
-            assert!(pixels > 5_000, "{name}: {pixels}");
-            everywhere(instance, AREA, SKY, &|face| texture.clamped_at(faces.uv[face]));
-            everywhere(instance, AREA, SKY, &|face| texture.at(faces.uv[face]).lit(levels(face)));
-            by_every_call(instance, AREA, SKY, &[13, SIDE], &|face| {
-                texture.clamped_at(faces.uv[face]).lit(levels(face))
-            });
-        });
+        faces.texture_by_every_call(name, &camera(&lens).with_far_clip(true), Colored);
     }
 }

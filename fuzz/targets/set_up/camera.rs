@@ -8,53 +8,9 @@ use pinhole::{
     camera::{CameraError, Projected, Visibility},
     Camera, Mesh,
 };
-use support::bridge::pair::{bits, ModelBits, Step, ViewBits, ONE};
-use support::bridge::{point, rectangle, screen_point};
-use support::definition::{Family, Projectors};
-use support::oracle::chain::{self, fx, fx3, length, mul4, Viewport, M4, V3, V4};
-
-/// The family's matrix, each of its linear forms from the definition.
-fn matrix(family: &Family) -> M4 {
-    let p = family.picture();
-    let [l, r, b, t] = p.window;
-    let thick = p.front - p.back;
-    match p.projectors {
-        // x = 2·(c₀·w + (p₀ − c₀)·(c₂ − plane)) − (l + r)·w over r − l, with w = c₂ − p₂.
-        Projectors::From(c) => {
-            let form = |axis: usize, low: f64, high: f64| {
-                let (reach, middle) = (c[2] - p.plane, 2.0 * c[axis] - low - high);
-                let mut row = [0.0, 0.0, -middle, middle * c[2] - 2.0 * c[axis] * reach];
-                row[axis] = 2.0 * reach;
-                row.map(|v| v / (high - low))
-            };
-            let (near, far) = (p.distance(p.front), p.distance(p.back));
-            // z = 2·far·(w − near)/(far − near) − w.
-            let k = 2.0 * far / thick;
-            let rows = [
-                form(0, l, r),
-                form(1, b, t),
-                [0.0, 0.0, 1.0 - k, k * (c[2] - near) - c[2]],
-                [0.0, 0.0, -1.0, c[2]],
-            ];
-            // The planar ones have w = 1 in their plane, also with the centre behind it.
-            let planar =
-                matches!(family, Family::EyeAtOrigin(..) | Family::OriginInPlane(..) | Family::General(..));
-            let scale = if planar { c[2] - p.plane } else { 1.0 };
-            rows.map(|row| row.map(|v| v / scale))
-        }
-        // x = 2·(p₀ + (plane − p₂)·d₀/d₂) − (l + r) over r − l.
-        Projectors::Along(d) => {
-            let form = |axis: usize, low: f64, high: f64| {
-                let slope = d[axis] / d[2];
-                let mut row = [0.0, 0.0, -2.0 * slope, 2.0 * slope * p.plane - low - high];
-                row[axis] = 2.0;
-                row.map(|v| v / (high - low))
-            };
-            let z = [0.0, 0.0, -2.0 / thick, (p.front + p.back) / thick];
-            [form(0, l, r), form(1, b, t), z, [0.0, 0.0, 0.0, 1.0]]
-        }
-    }
-}
+use support::bridge::pair::{bits, CameraBits, ModelBits, ProjectionBits, Step, ONE};
+use support::bridge::{point, screen_point};
+use support::oracle::chain::{self, fx, fx3, length, mul4, V3, V4};
 
 fn viewport(b: &mut Bytes<'_>) -> (i32, i32, u32, u32) {
     match b.byte() {
@@ -70,27 +26,19 @@ fn viewport(b: &mut Bytes<'_>) -> (i32, i32, u32, u32) {
 }
 
 struct SetUp {
-    camera: Camera,
-    view: chain::View,
-    matrix: M4,
-    viewport: Viewport,
-    bits: (ViewBits, Family),
+    bits: CameraBits,
+    exact: chain::Camera,
 }
 
 /// And whether the budget holds: VUP 1/50 rad off VPN, and no number of the projection's own out of range.
 fn set_up(b: &mut Bytes<'_>) -> Option<(SetUp, bool)> {
-    let (view, family, (x, y, w, h)) = (views::any(b), projections::any(b), viewport(b));
-    let area = rectangle(x, y, w, h);
-    let place = pinhole::Viewport::new(area.top_left, area.size).ok()?;
-    let camera = Camera::new(&view.library().ok()?, &family.library().ok()?, &place);
-    let set_up = SetUp {
-        camera,
-        view: view.exact(),
-        matrix: matrix(&family),
-        viewport: Viewport::new(x, y, w, h),
-        bits: (view, family),
-    };
-    Some((set_up, views::sine(view) > 0.02 && !projections::saturates(&family)))
+    let bits = CameraBits { view: views::any(b), projection: projections::any(b), viewport: viewport(b) };
+    let CameraBits { view, projection, .. } = bits;
+    pinhole::Viewport::new(bits.area().top_left, bits.area().size).ok()?;
+    view.library().ok()?;
+    projection.library().ok()?;
+    let set_up = SetUp { bits, exact: bits.exact() };
+    Some((set_up, views::sine(view) > 0.02 && !projections::saturates(&projection)))
 }
 
 /// A box of twice that has a sphere whose radius is still a number.
@@ -104,8 +52,9 @@ impl SetUp {
     /// translation that `reach` allows for: that shows where w is small by the projection itself. And what
     /// cancels in a row.
     fn rho(&self, reach: f64) -> V4 {
-        let mut rho = self.matrix.map(|[a, b, c, d]| (a.abs() + b.abs() + c.abs()) * reach + d.abs() + STEPS);
-        for (rho, [linear, constant]) in rho.iter_mut().zip(projections::parts(&self.bits.1)) {
+        let mut rho =
+            self.exact.projection.map(|[a, b, c, d]| (a.abs() + b.abs() + c.abs()) * reach + d.abs() + STEPS);
+        for (rho, [linear, constant]) in rho.iter_mut().zip(projections::parts(&self.bits.projection)) {
             *rho += linear * reach + constant;
         }
         rho
@@ -113,10 +62,10 @@ impl SetUp {
 
     /// A vertex with an image: within the budget for an object of this half extent.
     fn check(&self, at: V3, extent: f64, got: Option<Projected>, what: &dyn core::fmt::Debug) {
-        let what = (&self.bits, &self.viewport, what);
-        let clip = mul4(&self.matrix, [at[0], at[1], at[2], 1.0]);
+        let what = (&self.bits, what);
+        let clip = mul4(&self.exact.projection, [at[0], at[1], at[2], 1.0]);
         let (w, rho) = (clip[3], self.rho(extent + length(at) + STEPS));
-        let v = &self.viewport;
+        let v = &self.exact.viewport;
         let [x, y, z] = [0, 1, 2].map(|i| clip[i] / w);
         let share =
             |i: usize, size: f64, quotient: f64| size / 2.0 * (rho[i] + quotient.abs() * rho[3]) / w.abs();
@@ -147,15 +96,15 @@ impl SetUp {
         }
         // Sine and cosine are within 2⁻²⁹·⁵, and one of them is small for narrow angles and for wide ones:
         // within the viewport that too is part of the budget.
-        let lens = match self.bits.1 {
-            Family::FieldOfView(..) => {
-                let cotangent = self.matrix[1][1];
+        let lens = match self.bits.projection {
+            ProjectionBits::Perspective(..) => {
+                let cotangent = self.exact.projection[1][1];
                 cotangent.max(1.0 / cotangent) * 2f64.powi(-29) * beside * free
             }
             _ => 0.0,
         };
         // The budget's 12 is for VUP well off VPN: the roll's error grows as 1/sine.
-        let factor = 12.0 + (1.0 / views::sine(self.bits.0) - 4.0).max(0.0);
+        let factor = 12.0 + (1.0 / views::sine(self.bits.view) - 4.0).max(0.0);
         let bound = 1.0 / 512.0 + 2.5e-6 + factor * 2f64.powi(-30) * budget + lens;
         let far = ex.abs().max(ey.abs());
         let Some(Projected { point: p, depth }) = got else {
@@ -203,7 +152,7 @@ pub(crate) fn check(b: &mut Bytes<'_>) {
     let at = if kind & 3 == 0 {
         fx3(triple(b, [ONE; 3]))
     } else {
-        let m = &set_up.matrix;
+        let m = &set_up.exact.projection;
         let depth = match b.byte() {
             0..=127 => (f64::from(b.i8() as i8) / 8.0).exp2(),
             _ => fx(b.wild()).abs(),
@@ -213,9 +162,9 @@ pub(crate) fn check(b: &mut Bytes<'_>) {
         let solve = |i: usize| (place[i] * w + m[i][2] * depth - m[i][3]) / m[i][i];
         [solve(0), solve(1), -depth]
     };
-    let view = &set_up.view;
+    let (view, camera) = (&set_up.exact.view, set_up.bits.library());
     let Some(world) = bits(view.back(at)) else { return };
-    points(b, &set_up, world, apart);
+    points(b, &set_up, &camera, world, apart);
 
     let exponent = (b.i8() >> 2).clamp(-32, 15) as i8;
     let vertices = [(); 2].map(|()| [b.i16(), b.i16(), b.i16()]);
@@ -233,8 +182,8 @@ pub(crate) fn check(b: &mut Bytes<'_>) {
     let extent = largest * f64::from(exponent).exp2() * stretch;
     let mesh = Mesh::new(&vertices, exponent, &[]).expect("a mesh");
     let model_ours = model.library();
-    let instance = set_up.camera.place(&mesh, &model_ours);
-    let found = set_up.camera.frustum().visibility(&mesh.bounding_sphere(), &model_ours);
+    let instance = camera.place(&mesh, &model_ours);
+    let found = camera.frustum().visibility(&mesh.bounding_sphere(), &model_ours);
     for (i, &v) in vertices.iter().enumerate() {
         let got = instance.project(i).ok();
         // The documented world.
@@ -247,13 +196,13 @@ pub(crate) fn check(b: &mut Bytes<'_>) {
         let at = view.apply_placed(&exact, chain::vertex(v, exponent));
         set_up.check(at, extent, got, &(&model, v, exponent));
         // A node is surely outside or inside: to the rounding of the planes' coefficients.
-        let [x, y, z, w] = mul4(&set_up.matrix, [at[0], at[1], at[2], 1.0]);
+        let [x, y, z, w] = mul4(&set_up.exact.projection, [at[0], at[1], at[2], 1.0]);
         let rho = set_up.rho(extent + length(at) + STEPS);
         let room = rho.iter().sum::<f64>() * 2f64.powi(-26);
         let least = [w + x, w - x, w + y, w - y, w + z, w - z].into_iter().fold(f64::INFINITY, f64::min);
         // Rows saturate at 2³⁰, and a mesh's sphere at the ends of its numbers.
         let whole = largest * f64::from(exponent).exp2() < SMALL && rho.iter().all(|r| *r < 2f64.powi(29));
-        let text = format_args!("{:?} {:?} {model:?} {v:?}·2^{exponent}", set_up.bits, set_up.viewport);
+        let text = format_args!("{:?} {model:?} {v:?}·2^{exponent}", set_up.bits);
         match found {
             _ if !whole => {}
             Visibility::Outside => assert!(least <= room, "not outside by {least} ({room}): {at:?} {text}"),
@@ -264,15 +213,15 @@ pub(crate) fn check(b: &mut Bytes<'_>) {
 }
 
 /// A point of the world by itself, and back.
-fn points(b: &mut Bytes<'_>, set_up: &SetUp, world: [i32; 3], apart: bool) {
-    let got = set_up.camera.project(point(world));
+fn points(b: &mut Bytes<'_>, set_up: &SetUp, camera: &Camera, world: [i32; 3], apart: bool) {
+    let got = camera.project(point(world));
     if apart {
         let image = match got {
             // Beyond the guard band is named as such; far does not clip here.
             Err(CameraError::BeyondFar) => panic!("beyond far: {world:?}"),
             other => other.ok(),
         };
-        set_up.check(set_up.view.apply(fx3(world)), 0.0, image, &world);
+        set_up.check(set_up.exact.view.apply(fx3(world)), 0.0, image, &world);
     }
     let limit = 8192 * 256;
     let any = |b: &mut Bytes<'_>| i64::from(b.wild()).clamp(-limit, limit);
@@ -280,6 +229,6 @@ fn points(b: &mut Bytes<'_>, set_up: &SetUp, world: [i32; 3], apart: bool) {
         Ok(Projected { point: p, depth }) if b.byte() & 1 == 0 => (p, depth),
         _ => (screen_point((any(b), any(b))), b.u16()),
     };
-    let _ = set_up.camera.unproject(at, depth);
-    let _ = set_up.camera.vanishing_points();
+    let _ = camera.unproject(at, depth);
+    let _ = camera.vanishing_points();
 }

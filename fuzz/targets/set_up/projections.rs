@@ -4,8 +4,8 @@ use super::camera::angle;
 use super::views::triple;
 use crate::fuzzed::Bytes;
 use pinhole::camera::CameraError;
-use support::bridge::pair::ONE;
-use support::definition::{Family, Projectors};
+use support::bridge::pair::{ProjectionBits, ONE};
+use support::definition::Projectors;
 use support::oracle::chain::fx;
 use CameraError as E;
 
@@ -29,7 +29,7 @@ fn pair(b: &mut Bytes<'_>) -> [i32; 2] {
     }
 }
 
-pub(crate) fn any(b: &mut Bytes<'_>) -> Family {
+pub(crate) fn any(b: &mut Bytes<'_>) -> ProjectionBits {
     let kind = b.byte();
     let ([l, r], [bottom, t], [n, f]) = (pair(b), pair(b), pair(b));
     let w = [l, r, bottom, t];
@@ -43,19 +43,19 @@ pub(crate) fn any(b: &mut Bytes<'_>) -> Family {
             };
             let side =
                 |b: &mut Bytes<'_>| if b.byte() & 1 == 0 { u32::from(b.byte()) } else { b.wild() as u32 };
-            Family::FieldOfView(fov, (side(b), side(b)), n, f)
+            ProjectionBits::Perspective(fov, (side(b), side(b)), n, f)
         }
-        1 => Family::Frustum(w, n, f),
-        2 => Family::Orthographic(w, n, f),
-        3 => Family::Oblique(w, n, f, angle(b), b.wild()),
-        4 => Family::Reference(triple(b, [ONE; 3]), w, f, n),
-        5 => Family::ReferenceParallel(triple(b, [ONE; 3]), w, f, n),
-        6 => Family::EyeAtOrigin(b.wild(), w, n, f),
-        7 => Family::OriginInPlane(b.wild(), w, n, f),
-        8 => Family::PlanarParallel(w, n, f),
+        1 => ProjectionBits::Frustum(w, n, f),
+        2 => ProjectionBits::Orthographic(w, n, f),
+        3 => ProjectionBits::Oblique(w, n, f, angle(b), b.wild()),
+        4 => ProjectionBits::Reference(triple(b, [ONE; 3]), w, f, n),
+        5 => ProjectionBits::ReferenceParallel(triple(b, [ONE; 3]), w, f, n),
+        6 => ProjectionBits::EyeAtOrigin(b.wild(), w, n, f),
+        7 => ProjectionBits::OriginInPlane(b.wild(), w, n, f),
+        8 => ProjectionBits::PlanarParallel(w, n, f),
         _ => {
             let distance = if b.byte() & 1 == 0 { None } else { Some(b.wild()) };
-            Family::General(b.wild(), distance, triple(b, [0, 0, ONE]), w, n, f)
+            ProjectionBits::General(b.wild(), distance, triple(b, [0, 0, ONE]), w, n, f)
         }
     }
 }
@@ -126,20 +126,22 @@ impl Reasons {
     }
 }
 
-fn reasons(family: &Family) -> Reasons {
+fn reasons(family: &ProjectionBits) -> Reasons {
     let mut all = Reasons::default();
     match *family {
-        Family::FieldOfView(fov, (w, h), n, f) => {
+        ProjectionBits::Perspective(fov, (w, h), n, f) => {
             all.when(!(1 << 20..=(1 << 31) - (1 << 20)).contains(&fov), E::FieldOfView);
             all.when(w == 0 || h == 0, E::Viewport);
             all.central(n, f);
         }
-        Family::Frustum(w, n, f) => {
+        ProjectionBits::Frustum(w, n, f) => {
             all.window(w);
             all.central(n, f);
         }
-        Family::Orthographic(w, n, f) | Family::Oblique(w, n, f, ..) => all.parallel(w, n.into(), f.into()),
-        Family::Reference([_, _, pn], w, front, back) => {
+        ProjectionBits::Orthographic(w, n, f) | ProjectionBits::Oblique(w, n, f, ..) => {
+            all.parallel(w, n.into(), f.into())
+        }
+        ProjectionBits::Reference([_, _, pn], w, front, back) => {
             all.when(pn <= 0, E::NoViewPlane);
             all.when(front >= pn, E::NearNotPositive);
             all.when(back >= front, E::NearNotBeforeFar);
@@ -151,21 +153,21 @@ fn reasons(family: &Family) -> Reasons {
                 all.below((low + high).abs() / (high - low) * fx(pn), LIMIT, E::EmptyWindow);
             }
         }
-        Family::ReferenceParallel([_, _, pn], w, front, back) => {
+        ProjectionBits::ReferenceParallel([_, _, pn], w, front, back) => {
             all.when(pn <= 0, E::NoViewPlane);
             // Places on the n axis, where near and far lie the other way round.
             all.parallel(w, -i64::from(front), -i64::from(back));
         }
-        Family::EyeAtOrigin(d, w, n, f) => {
+        ProjectionBits::EyeAtOrigin(d, w, n, f) => {
             all.when(d == 0, E::NoViewPlane);
             planar_reasons(&mut all, family, d != 0, w, n, f);
         }
-        Family::OriginInPlane(d, w, n, f) => {
+        ProjectionBits::OriginInPlane(d, w, n, f) => {
             all.when(d == 0, E::NoViewPlane);
             planar_reasons(&mut all, family, d != 0, w, n, f);
         }
-        Family::PlanarParallel(w, n, f) => planar_reasons(&mut all, family, true, w, n, f),
-        Family::General(_, q, direction, w, n, f) => {
+        ProjectionBits::PlanarParallel(w, n, f) => planar_reasons(&mut all, family, true, w, n, f),
+        ProjectionBits::General(_, q, direction, w, n, f) => {
             let none = direction[2] == 0 || q == Some(0);
             all.when(none, E::NoViewPlane);
             planar_reasons(&mut all, family, !none, w, n, f);
@@ -182,7 +184,7 @@ struct Planar {
     image: [f64; 2],
 }
 
-fn terms(family: &Family) -> Planar {
+fn terms(family: &ProjectionBits) -> Planar {
     let picture = family.picture();
     match picture.projectors {
         Projectors::From(c) => {
@@ -199,11 +201,11 @@ fn terms(family: &Family) -> Planar {
 
 /// Whether a planar projection's own numbers reach 2³⁰, where they saturate: what follows is not the
 /// definition's then.
-pub(crate) fn saturates(family: &Family) -> bool {
+pub(crate) fn saturates(family: &ProjectionBits) -> bool {
     let (n, f) = match *family {
-        Family::EyeAtOrigin(_, _, n, f)
-        | Family::OriginInPlane(_, _, n, f)
-        | Family::General(_, _, _, _, n, f) => (n, f),
+        ProjectionBits::EyeAtOrigin(_, _, n, f)
+        | ProjectionBits::OriginInPlane(_, _, n, f)
+        | ProjectionBits::General(_, _, _, _, n, f) => (n, f),
         _ => return false,
     };
     let Planar { slope, constant, image } = terms(family);
@@ -214,13 +216,13 @@ pub(crate) fn saturates(family: &Family) -> bool {
 
 /// What the rows x and y are made of, along z and without it, where that is more than what is left of it: of a
 /// planar projection's picture the image's part and the window's, which may cancel but for their rounding.
-pub(crate) fn parts(family: &Family) -> [[f64; 2]; 2] {
+pub(crate) fn parts(family: &ProjectionBits) -> [[f64; 2]; 2] {
     let w = match *family {
-        Family::EyeAtOrigin(_, w, ..) | Family::OriginInPlane(_, w, ..) | Family::General(_, _, _, w, ..) => {
-            w.map(fx)
-        }
+        ProjectionBits::EyeAtOrigin(_, w, ..)
+        | ProjectionBits::OriginInPlane(_, w, ..)
+        | ProjectionBits::General(_, _, _, w, ..) => w.map(fx),
         // Sine and cosine are within 2⁻²⁹·⁵, whatever they are, times the factor.
-        Family::Oblique(w, _, _, _, factor) => {
+        ProjectionBits::Oblique(w, _, _, _, factor) => {
             let [l, r, b, t] = w.map(fx);
             return [r - l, t - b].map(|extent| [2.0 * fx(factor).abs() / extent, 0.0]);
         }
@@ -239,7 +241,7 @@ pub(crate) fn parts(family: &Family) -> [[f64; 2]; 2] {
 }
 
 /// A planar projection's picture: near and far before the centre, and no constant beyond 2³⁰.
-fn planar_reasons(all: &mut Reasons, family: &Family, plane: bool, w: [i32; 4], n: i32, f: i32) {
+fn planar_reasons(all: &mut Reasons, family: &ProjectionBits, plane: bool, w: [i32; 4], n: i32, f: i32) {
     all.window(w);
     all.when(n >= f, E::NearNotBeforeFar);
     if !plane {

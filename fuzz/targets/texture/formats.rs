@@ -9,7 +9,7 @@ use embedded_graphics_core::pixelcolor::{Rgb888, RgbColor};
 use pinhole::{
     color::Unmixed,
     prelude::*,
-    shading::{SpanShader, Translucent},
+    shading::SpanShader,
     texture::{Accuracy, ColorKeyed, IndexedTexels, TexelSlice, Texels},
 };
 use support::bridge::ways::{in_memory, Drawn};
@@ -54,8 +54,8 @@ struct Textures<'a> {
     accuracy: Accuracy,
     clamped: bool,
     seed: u32,
-    /// What each face shows alone, in 2⁻¹² of the sides, and its depths.
-    alone: Vec<(Drawn<Rgb888>, Drawn<Rgb888>)>,
+    /// What each face shows alone, in 2⁻¹² of the sides.
+    alone: Vec<[Drawn<Rgb888>; 2]>,
 }
 
 pub(crate) fn check(data: &[u8]) {
@@ -133,54 +133,20 @@ impl Textures<'_> {
 
     fn draw_alone(&mut self) {
         let texture = self.texture(Numbered(self.bits));
-        let more = |_, stored: Rgb888| Rgb888::new(0, 0, stored.b().saturating_add(1));
-        let count = Translucent::new(Rgb888::BLACK, more);
-        let area = self.place.area;
-        self.alone = (0..self.scene.faces.len())
-            .map(|face| {
-                self.scene.with_instance(&self.scene.faces[face..=face], &[], |instance| {
-                    let alone = match self.clamped {
-                        true => in_memory(instance, area, SKY, &|_| texture.clamped_at(self.uv[face])),
-                        false => in_memory(instance, area, SKY, &|_| texture.at(self.uv[face])),
-                    };
-                    (alone, in_memory(instance, area, Rgb888::BLACK, &|_| count))
-                })
-            })
-            .collect();
+        self.alone = match self.clamped {
+            true => self.place.alone(self.scene, |face| texture.clamped_at(self.uv[face])),
+            false => self.place.alone(self.scene, |face| texture.at(self.uv[face])),
+        };
     }
 
-    /// The pictures of all faces, by what each shows alone: later faces over earlier ones, or nearer ones over farther ones.
-    ///
-    /// Rounding may fold the fan of a face that is cut to a sliver. Of a pixel that it covers twice the numbers show one of its texels,
-    /// which need not be the one that is left if a key takes it away: such pixels are not compared.
+    /// Compares with the texels that the numbers of each face alone stand for; none leaves its pixel alone.
     fn compare(&self, drawn: &Drawn<Rgb888>, texel: impl Fn(usize) -> Option<Rgb888>) {
-        let mut solid = vec![SKY; drawn.solid.len()];
-        let (mut deep, mut depths) = (solid.clone(), vec![DepthBuffer::NOTHING; solid.len()]);
-        let mut folded = vec![false; solid.len()];
-        for (alone, count) in &self.alone {
-            for i in 0..solid.len() {
-                let show = |seen: Rgb888| {
-                    let [u, v] = shown(seen);
-                    let [w, h] = self.bits;
-                    texel(((v >> (12 - h)) << w | u >> (12 - w)) as usize)
-                };
-                if count.solid[i].b() > 1 || count.deep[i].b() > 1 {
-                    folded[i] = true;
-                }
-                if alone.solid[i] != SKY {
-                    solid[i] = show(alone.solid[i]).unwrap_or(solid[i]);
-                }
-                let nearer = alone.deep[i] != SKY && alone.depths[i] < depths[i];
-                if let Some(color) = show(alone.deep[i]).filter(|_| nearer) {
-                    (deep[i], depths[i]) = (color, alone.depths[i]);
-                }
-            }
-        }
-        for i in (0..folded.len()).filter(|&i| folded[i]) {
-            (solid[i], deep[i], depths[i]) = (drawn.solid[i], drawn.deep[i], drawn.depths[i]);
-        }
-        assert!(drawn.solid == solid, "the texels of {:?}", self.scene);
-        assert!(drawn.deep == deep && drawn.depths == depths, "the nearest texels of {:?}", self.scene);
+        let [w, h] = self.bits;
+        let mix = |_, own, _| {
+            let [u, v] = shown(own);
+            texel(((v >> (12 - h)) << w | u >> (12 - w)) as usize).map(|color| (color, true))
+        };
+        self.place.compare(drawn, &self.alone, mix, self.scene);
     }
 
     fn sides(&self) -> [usize; 2] {

@@ -3,11 +3,8 @@
 //! projector onto −1 … 1 that is linear in the picture and takes the front plane to −1, the back
 //! plane to +1.
 
-use crate::bridge::pair::window;
-use crate::bridge::{point, scalar, vector};
-use crate::oracle::chain::{self, fx, fx3, Viewport, V3};
-use embedded_graphics_core::geometry::Size;
-use pinhole::{camera::CameraError, Angle, Projection};
+use crate::bridge::pair::ProjectionBits;
+use crate::oracle::chain::{self, fx, fx3, Viewport, M4, V3};
 
 /// All lines that project: through one centre, or along one direction.
 #[derive(Clone, Copy, Debug)]
@@ -81,57 +78,44 @@ impl Picture {
         let (x, y) = self.cut(p, n);
         [x, y, n]
     }
-}
 
-/// Every projection of the family, described by bits.
-#[derive(Clone, Copy, Debug)]
-pub enum Family {
-    /// fov_y, aspect, near, far
-    FieldOfView(u32, (u32, u32), i32, i32),
-    /// window, near, far
-    Frustum([i32; 4], i32, i32),
-    Orthographic([i32; 4], i32, i32),
-    /// window, near, far, angle, factor
-    Oblique([i32; 4], i32, i32, u32, i32),
-    /// PRP, window, front, back
-    Reference([i32; 3], [i32; 4], i32, i32),
-    ReferenceParallel([i32; 3], [i32; 4], i32, i32),
-    /// d, window, near, far
-    EyeAtOrigin(i32, [i32; 4], i32, i32),
-    OriginInPlane(i32, [i32; 4], i32, i32),
-    PlanarParallel([i32; 4], i32, i32),
-    /// z_p, Q (none: infinite), direction, window, near, far
-    General(i32, Option<i32>, [i32; 3], [i32; 4], i32, i32),
-}
-
-impl Family {
-    pub fn library(&self) -> Result<Projection, CameraError> {
-        let planar = |z: i32, q: Option<i32>, d: [i32; 3], w, n, f| {
-            Projection::planar(scalar(z), q.map(scalar), vector(d), window(w), scalar(n), scalar(f))
-        };
-        match *self {
-            Self::FieldOfView(fov, (w, h), n, f) => {
-                Projection::perspective(Angle::from_bits(fov), Size::new(w, h), scalar(n), scalar(f))
+    /// The projection matrix, each of its linear forms from the definition.
+    pub fn matrix(&self) -> M4 {
+        let [l, r, b, t] = self.window;
+        let thick = self.front - self.back;
+        match self.projectors {
+            // x = 2·(c₀·w + (p₀ − c₀)·(c₂ − plane)) − (l + r)·w over r − l, with w = c₂ − p₂.
+            Projectors::From(c) => {
+                let form = |axis: usize, low: f64, high: f64| {
+                    let (reach, middle) = (c[2] - self.plane, 2.0 * c[axis] - low - high);
+                    let mut row = [0.0, 0.0, -middle, middle * c[2] - 2.0 * c[axis] * reach];
+                    row[axis] = 2.0 * reach;
+                    row.map(|v| v / (high - low))
+                };
+                let (near, far) = (self.distance(self.front), self.distance(self.back));
+                // z = 2·far·(w − near)/(far − near) − w.
+                let k = 2.0 * far / thick;
+                let z = [0.0, 0.0, 1.0 - k, k * (c[2] - near) - c[2]];
+                [form(0, l, r), form(1, b, t), z, [0.0, 0.0, -1.0, c[2]]]
             }
-            Self::Frustum(w, n, f) => Projection::frustum(window(w), scalar(n), scalar(f)),
-            Self::Orthographic(w, n, f) => Projection::orthographic(window(w), scalar(n), scalar(f)),
-            Self::Oblique(w, n, f, angle, factor) => {
-                Projection::oblique(window(w), scalar(n), scalar(f), Angle::from_bits(angle), scalar(factor))
+            // x = 2·(p₀ + (plane − p₂)·d₀/d₂) − (l + r) over r − l.
+            Projectors::Along(d) => {
+                let form = |axis: usize, low: f64, high: f64| {
+                    let slope = d[axis] / d[2];
+                    let mut row = [0.0, 0.0, -2.0 * slope, 2.0 * slope * self.plane - low - high];
+                    row[axis] = 2.0;
+                    row.map(|v| v / (high - low))
+                };
+                let z = [0.0, 0.0, -2.0 / thick, (self.front + self.back) / thick];
+                [form(0, l, r), form(1, b, t), z, [0.0, 0.0, 0.0, 1.0]]
             }
-            Self::Reference(p, w, front, back) => {
-                Projection::perspective_from_reference(point(p), window(w), scalar(front), scalar(back))
-            }
-            Self::ReferenceParallel(p, w, front, back) => {
-                Projection::parallel_from_reference(point(p), window(w), scalar(front), scalar(back))
-            }
-            Self::EyeAtOrigin(d, w, n, f) => planar(d, Some(d), [0, 0, -1], w, n, f),
-            Self::OriginInPlane(d, w, n, f) => planar(0, Some(d), [0, 0, -1], w, n, f),
-            Self::PlanarParallel(w, n, f) => planar(0, None, [0, 0, 1], w, n, f),
-            Self::General(z, q, d, w, n, f) => planar(z, q, d, w, n, f),
         }
     }
+}
 
-    pub fn picture(&self) -> Picture {
+impl ProjectionBits {
+    /// The picture by the definition of the projection.
+    pub fn picture(self) -> Picture {
         let make = |projectors, plane, w: [i32; 4], front, back| Picture {
             projectors,
             plane,
@@ -140,8 +124,8 @@ impl Family {
             back,
         };
         let (origin, straight) = (Projectors::From([0.0; 3]), Projectors::Along([0.0, 0.0, 1.0]));
-        match *self {
-            Self::FieldOfView(fov, (w, h), n, f) => {
+        match self {
+            Self::Perspective(fov, (w, h), n, f) => {
                 let t = (f64::from(fov) * (core::f64::consts::PI / 4_294_967_296.0)).tan();
                 let r = t * f64::from(w) / f64::from(h);
                 Picture { window: [-r, r, -t, t], ..make(origin, -1.0, [0; 4], -fx(n), -fx(f)) }

@@ -37,6 +37,11 @@ pub fn reals<S>(p: Point3<S>) -> [f64; 3] {
     [p.x(), p.y(), p.z()].map(|c| f64::from(c.to_bits()) / 65536.0)
 }
 
+pub fn viewport(x: i32, y: i32, width: u32, height: u32) -> Viewport {
+    let Rectangle { top_left, size } = rectangle(x, y, width, height);
+    Viewport::new(top_left, size).expect("a viewport")
+}
+
 pub fn rectangle(x: i32, y: i32, width: u32, height: u32) -> Rectangle {
     Rectangle::new(Point::new(x, y), Size::new(width, height))
 }

@@ -1,6 +1,6 @@
 //! Makes everything twice from the same bits: once for the library, once for the f64 oracle.
 
-use super::{point, rectangle, scalar, vector};
+use super::{point, rectangle, scalar, vector, viewport};
 use crate::oracle::chain::{self, fx, M4};
 use crate::oracle::rng::Rng;
 use embedded_graphics_core::geometry::Size;
@@ -57,28 +57,55 @@ impl ViewBits {
     }
 }
 
-/// A projection, described by bits.
-#[derive(Clone, Copy, Debug)]
-pub enum ProjectionBits {
-    /// fov_y, aspect (width, height), near, far
-    Perspective(u32, (u32, u32), i32, i32),
-    /// left, right, bottom, top; near, far
-    Frustum([i32; 4], i32, i32),
-    Orthographic([i32; 4], i32, i32),
-}
-
 pub fn window([left, right, bottom, top]: [i32; 4]) -> Window {
     Window { left: scalar(left), right: scalar(right), bottom: scalar(bottom), top: scalar(top) }
 }
 
+/// Every projection, described by bits.
+#[derive(Clone, Copy, Debug)]
+pub enum ProjectionBits {
+    /// fov_y, aspect (width, height), near, far
+    Perspective(u32, (u32, u32), i32, i32),
+    /// window (left, right, bottom, top), near, far
+    Frustum([i32; 4], i32, i32),
+    Orthographic([i32; 4], i32, i32),
+    /// window, near, far, angle, factor
+    Oblique([i32; 4], i32, i32, u32, i32),
+    /// PRP, window, front, back
+    Reference([i32; 3], [i32; 4], i32, i32),
+    ReferenceParallel([i32; 3], [i32; 4], i32, i32),
+    /// d, window, near, far
+    EyeAtOrigin(i32, [i32; 4], i32, i32),
+    OriginInPlane(i32, [i32; 4], i32, i32),
+    PlanarParallel([i32; 4], i32, i32),
+    /// z_p, Q (none: infinite), direction, window, near, far
+    General(i32, Option<i32>, [i32; 3], [i32; 4], i32, i32),
+}
+
 impl ProjectionBits {
     pub fn library(self) -> Result<Projection, CameraError> {
+        let planar = |z: i32, q: Option<i32>, d: [i32; 3], w, n, f| {
+            Projection::planar(scalar(z), q.map(scalar), vector(d), window(w), scalar(n), scalar(f))
+        };
         match self {
             Self::Perspective(fov, (w, h), n, f) => {
                 Projection::perspective(Angle::from_bits(fov), Size::new(w, h), scalar(n), scalar(f))
             }
             Self::Frustum(w, n, f) => Projection::frustum(window(w), scalar(n), scalar(f)),
             Self::Orthographic(w, n, f) => Projection::orthographic(window(w), scalar(n), scalar(f)),
+            Self::Oblique(w, n, f, angle, factor) => {
+                Projection::oblique(window(w), scalar(n), scalar(f), Angle::from_bits(angle), scalar(factor))
+            }
+            Self::Reference(p, w, front, back) => {
+                Projection::perspective_from_reference(point(p), window(w), scalar(front), scalar(back))
+            }
+            Self::ReferenceParallel(p, w, front, back) => {
+                Projection::parallel_from_reference(point(p), window(w), scalar(front), scalar(back))
+            }
+            Self::EyeAtOrigin(d, w, n, f) => planar(d, Some(d), [0, 0, -1], w, n, f),
+            Self::OriginInPlane(d, w, n, f) => planar(0, Some(d), [0, 0, -1], w, n, f),
+            Self::PlanarParallel(w, n, f) => planar(0, None, [0, 0, 1], w, n, f),
+            Self::General(z, q, d, w, n, f) => planar(z, q, d, w, n, f),
         }
     }
 
@@ -89,19 +116,23 @@ impl ProjectionBits {
             Self::Orthographic([l, r, b, t], n, f) => {
                 chain::orthographic(fx(l), fx(r), fx(b), fx(t), fx(n), fx(f))
             }
+            // The planar ones have w = 1 in their plane, also with the centre behind it.
+            Self::EyeAtOrigin(..) | Self::OriginInPlane(..) | Self::General(..) => {
+                let picture = self.picture();
+                let scale = picture.distance(picture.plane);
+                picture.matrix().map(|row| row.map(|v| v / scale))
+            }
+            _ => self.picture().matrix(),
         }
     }
 
+    /// The distance of the near plane from the origin, along −z.
     pub fn near(self) -> f64 {
-        match self {
-            Self::Perspective(_, _, n, _) | Self::Frustum(_, n, _) | Self::Orthographic(_, n, _) => fx(n),
-        }
+        -self.picture().front
     }
 
     pub fn far(self) -> f64 {
-        match self {
-            Self::Perspective(_, _, _, f) | Self::Frustum(_, _, f) | Self::Orthographic(_, _, f) => fx(f),
-        }
+        -self.picture().back
     }
 }
 
@@ -138,11 +169,11 @@ impl CameraBits {
     }
 
     pub fn library(&self) -> Camera {
-        let Rectangle { top_left, size } = self.area();
+        let (x, y, width, height) = self.viewport;
         Camera::new(
             &self.view.library().expect("a view"),
             &self.projection.library().expect("a projection"),
-            &Viewport::new(top_left, size).expect("a viewport"),
+            &viewport(x, y, width, height),
         )
     }
 

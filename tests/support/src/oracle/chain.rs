@@ -59,6 +59,12 @@ pub fn cut<const N: usize>(polygon: &[[f64; N]], distance: impl Fn(&[f64; N]) ->
     kept
 }
 
+/// The area of a polygon whose corners run counter-clockwise with y upwards; of others it is negative.
+pub fn area(polygon: &[[f64; 2]]) -> f64 {
+    let after = polygon.iter().cycle().skip(1);
+    polygon.iter().zip(after).map(|(a, b)| a[0] * b[1] - a[1] * b[0]).sum::<f64>() / 2.0
+}
+
 pub fn mul3(m: &M3, v: V3) -> V3 {
     m.map(|row| dot(row, v))
 }

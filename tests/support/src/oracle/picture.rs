@@ -5,7 +5,7 @@
 //! covers the pixel's centre, and those of all nearer ones inwards until they do not. The smallest such
 //! move is the picture's error at that pixel, in pixels, whatever its cause.
 
-use super::chain::{cut, mul4, M4, V3, V4};
+use super::chain::{area, cut, mul4, M4, V3, V4};
 
 /// A scene in the terms of docs/spec.md, section 10.
 #[derive(Clone, Debug)]
@@ -63,7 +63,7 @@ impl Scene {
         let w = corners.iter().map(|c| c[3]).fold(f64::INFINITY, f64::min);
         let corners: Vec<_> = corners.into_iter().map(|c| self.screen(c)).collect();
         if self.cull && area(&corners) > 0.0 {
-            return None; // clockwise with y up
+            return None; // on the screen, whose y points down, front faces have a negative area
         }
         Some(Polygon { corners, plane, w })
     }
@@ -92,12 +92,6 @@ impl Scene {
         let size = |row: &V4| (row[0].abs() + row[1].abs() + row[2].abs()) * reach + row[3].abs();
         12.0 * (-30f64).exp2() * 65_535.0 / 2.0 * (size(&self.projection[2]) + size(&self.projection[3]))
     }
-}
-
-/// Twice the area; positive for clockwise with y up.
-fn area(corners: &[[f64; 2]]) -> f64 {
-    let next = corners.iter().cycle().skip(1);
-    corners.iter().zip(next).map(|(a, b)| a[0] * b[1] - a[1] * b[0]).sum()
 }
 
 impl Polygon {
