@@ -428,42 +428,51 @@ fn smoothed_edges_are_close_to_their_areas() {
     }
 }
 
-/// A white triangle on black, whose corners are in half pixels or in 1/256 of one: each pixel that a single side crosses shows its area inside,
-/// also where the side goes through its centre.
-#[test]
-fn pixels_on_a_side_show_their_areas() {
-    const SIZE: Size = Size::new(64, 64);
+/// White triangles on black, drawn with smooth edges in an orthographic projection: a unit is 2⁻⁸ pixel, and the middle of the picture is 0.
+fn white_triangles(vertices: &[[i16; 3]], size: u32) -> Vec<Gray8> {
     let window = Scalar::from_int(2);
     let window = Window { left: -window, right: window, bottom: -window, top: window };
     let lens = Projection::orthographic(window, -window.top, window.top).expect("a box");
     let (origin, [up, back]) =
         (Point3::from_ints(0, 0, 0), [[0, 1, 0], [0, 0, 1]].map(|[x, y, z]| Vector3::from_ints(x, y, z)));
     let view = ViewTransform::from_reference(origin, back, up).expect("axes");
-    let viewport = Viewport::new(Point::zero(), SIZE).expect("a viewport");
+    let viewport = Viewport::new(Point::zero(), Size::new(size, size)).expect("a viewport");
     let camera = Camera::new(&view, &lens, &viewport);
+    let faces: Vec<_> = (0..vertices.len() as u16).step_by(3).map(|i| [i, i + 1, i + 2]).collect();
+    let edges: Vec<_> = faces.iter().flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]]).collect();
+    let mesh = Mesh::new(vertices, -12, &faces).expect("a mesh").with_edges(&edges).expect("edges");
+    let instance = camera.place(&mesh, &Affine::identity()).with_cull(Cull::None);
+    let count = (size * size) as usize;
+    let (mut levels, mut depths) = (vec![Gray8::BLACK; count], vec![0; count]);
+    let mut picture = Picture::new(&mut levels, viewport.size()).expect("room");
+    let mut depth = DepthBuffer::new(viewport.area(), &mut depths).expect("room");
+    let mut target = picture.pixels();
+    let mut target = target.depth_tested(&mut depth);
+    instance.faces(|_| Gray8::WHITE).draw(&mut target).expect("no error");
+    let (mut cache, mut bins) = (vec![ScreenVertex::EMPTY; vertices.len()], vec![0; mesh.smooth_bins_len()]);
+    let transformed = instance.transform_depth(&mut cache);
+    let mut edges = transformed.bin_smooth_edges(|_| false, &mut bins).expect("room");
+    target.smooth(|pass| edges.draw(pass));
+    levels
+}
+
+/// Corners in the picture of 64 × 64 pixels, whose y points down.
+fn in_picture<const N: usize>(corners: [[i16; N]; 3]) -> [[f64; 2]; 3] {
+    corners.map(|corner| [32.0 + f64::from(corner[0]) / 256.0, 32.0 - f64::from(corner[1]) / 256.0])
+}
+
+/// A white triangle on black, whose corners are in half pixels or in 1/256 of one: each pixel that a single side crosses shows its area inside,
+/// also where the side goes through its centre.
+#[test]
+fn pixels_on_a_side_show_their_areas() {
     let (mut rng, mut halves, mut compared) = (Rng::new(11), 0, 0);
     for case in 0..4_000 {
-        // A unit is 2⁻⁸ pixel, and the middle of the picture is 0.
         let step = [128, 1][case % 2];
         let most = 28 * 256 / step;
         let corners = [0; 3].map(|_| [0; 2].map(|_| (rng.int(-most, most) * step) as i16));
-        let vertices = corners.map(|[x, y]| [x, y, 0]);
-        let mesh = Mesh::new(&vertices, -12, &[[0, 1, 2]]).expect("a mesh");
-        let mesh = mesh.with_edges(&[[0, 1], [1, 2], [2, 0]]).expect("edges");
-        let instance = camera.place(&mesh, &Affine::identity()).with_cull(Cull::None);
-        let (mut levels, mut depths) = (vec![Gray8::BLACK; 64 * 64], vec![0; 64 * 64]);
-        let mut picture = Picture::new(&mut levels, SIZE).expect("room");
-        let mut depth = DepthBuffer::new(viewport.area(), &mut depths).expect("room");
-        let mut target = picture.pixels();
-        let mut target = target.depth_tested(&mut depth);
-        instance.faces(|_| Gray8::WHITE).draw(&mut target).expect("no error");
-        let (mut cache, mut bins) = ([ScreenVertex::EMPTY; 3], vec![0; mesh.smooth_bins_len()]);
-        let transformed = instance.transform_depth(&mut cache);
-        let mut edges = transformed.bin_smooth_edges(|_| false, &mut bins).expect("room");
-        target.smooth(|pass| edges.draw(pass));
-        // Of the picture, y points down.
-        let corners = corners.map(|[x, y]| [32.0 + f64::from(x) / 256.0, 32.0 - f64::from(y) / 256.0]);
-        for (pixel, level) in viewport.area().points().zip(levels) {
+        let levels = white_triangles(&corners.map(|[x, y]| [x, y, 0]), 64);
+        let corners = in_picture(corners);
+        for (pixel, level) in bridge::rectangle(0, 0, 64, 64).points().zip(levels) {
             let [x, y] = [pixel.x, pixel.y].map(f64::from);
             let Some(inside) = area_of_one_side(corners, [x, y]) else { continue };
             let off = (f64::from(level.luma()) - 255.0 * inside).abs();
@@ -472,6 +481,35 @@ fn pixels_on_a_side_show_their_areas() {
         }
     }
     assert!(compared > 1_000_000 && halves > 1_500, "{compared} {halves}");
+}
+
+/// A triangle behind another one, of which it is a smaller copy: nothing of it is seen, so the picture is that of the one in front,
+/// but near its corners, where pixels of a side lie outside of both.
+#[test]
+fn a_side_behind_a_nearer_surface_is_not_smoothed() {
+    let (mut rng, mut compared) = (Rng::new(12), 0);
+    for _ in 0..2_000 {
+        let front =
+            [0; 3].map(|_| [0; 2].map(|_| rng.int(-28 * 256, 28 * 256) as i16)).map(|[x, y]| [x, y, 4096]);
+        let middle = [0, 1].map(|axis| front.iter().map(|corner| f64::from(corner[axis])).sum::<f64>() / 3.0);
+        let kept = 1.0 - 0.0006 * rng.int(1, 100) as f64;
+        let z = 4096 - rng.int(64, 8000) as i16;
+        let behind = front.map(|[x, y, _]| {
+            let [x, y] =
+                [(x, 0), (y, 1)].map(|(at, axis)| middle[axis] + kept * (f64::from(at) - middle[axis]));
+            [x as i16, y as i16, z]
+        });
+        let alone = white_triangles(&front, 64);
+        let both = white_triangles(&[front, behind].concat(), 64);
+        for (pixel, (alone, both)) in bridge::rectangle(0, 0, 64, 64).points().zip(alone.iter().zip(&both)) {
+            let [x, y] = [pixel.x, pixel.y].map(f64::from);
+            if area_of_one_side(in_picture(front), [x, y]).is_some_and(|area| area > 0.0 && area < 1.0) {
+                assert_eq!(alone, both, "{front:?} {behind:?} {pixel}");
+                compared += 1;
+            }
+        }
+    }
+    assert!(compared > 50_000, "{compared}");
 }
 
 /// The part of the pixel at (x, y) inside a triangle; `None` if a second side or a corner is near.
