@@ -9,11 +9,13 @@ use embedded_graphics_core::pixelcolor::{
 use embedded_graphics_core::primitives::{PointsIter, Rectangle};
 use pinhole::camera::Window;
 use pinhole::color::{Color, Format, StoredPixel};
+use pinhole::meshes::CUBE;
 use pinhole::{
     bands::{DirtyRegions, SmoothBand, SmoothFrame, TransferCost},
     draw::{SmoothEdge, SmoothEdges},
     prelude::*,
     target::{BufferError, Pixels},
+    Angle,
 };
 use support::bridge::{
     self,
@@ -276,6 +278,77 @@ fn short_buffers_are_refused() {
         let mut frame = SmoothFrame::new(area, Rgb565::BLACK, &mut kept, &mut depths).expect("room");
         let band = frame.nth_band(0, &mut strip).expect("room").expect("a band");
         assert_eq!(band.smooth::<2>(|_| ()).area().size.height, sent);
+    }
+}
+
+/// Dirty regions may be empty.
+#[test]
+fn an_area_without_pixels_has_no_band() {
+    for (width, height) in [(0, 9), (8, 0), (0, 0)] {
+        let (mut strip, mut kept, mut depths) = ([0; 64], [0; 16], [0; 64]);
+        let area = bridge::rectangle(3, 4, width, height);
+        let mut frame = SmoothFrame::new(area, Gray8::new(0), &mut kept, &mut depths).expect("room");
+        assert!(frame.next_band(&mut strip).expect("no error").is_none(), "{width} × {height}");
+        assert!(frame.nth_band(0, &mut strip).expect("no error").is_none(), "{width} × {height}");
+    }
+}
+
+/// Of a mesh that lists no edges, and of one that lists all.
+#[test]
+fn bounds_without_edges_are_those_of_the_faces() {
+    let viewport = Viewport::new(Point::zero(), Size::new(64, 64)).expect("a viewport");
+    let camera = Camera::framing(
+        &CUBE.bounding_sphere(),
+        &viewport,
+        Angle::degrees(40),
+        Angle::ZERO,
+        Angle::degrees(20),
+    );
+    let camera = camera.expect("a camera");
+    let plain = Mesh::new(CUBE.vertices(), CUBE.exponent(), CUBE.faces()).expect("a mesh");
+    let [without, with] = [&plain, &CUBE].map(|mesh| {
+        let instance = camera.place(mesh, &Affine::identity());
+        let mut buffers = mesh_buffers!(smooth: CUBE);
+        let transformed = instance.transform_depth(&mut buffers.cache);
+        let faces = transformed.bin_faces(&mut buffers.bins).expect("room").bounds();
+        let edges = transformed.bin_smooth_edges(|_| false, &mut buffers.edge_bins).expect("room");
+        (faces, edges.bounds(faces), edges.bounds(Rectangle::zero()))
+    });
+    assert_eq!(without, (with.0, with.0, Rectangle::zero()));
+    // A pixel that an edge crosses, and the one beyond it, may be those next to the drawn ones.
+    assert_eq!((with.1.intersection(&with.0), with.1.intersection(&with.0.offset(2))), (with.0, with.1));
+    assert_eq!(with.2, with.1);
+}
+
+/// The storage of edges is that of the frame before: what it holds does not matter, also where silhouettes are found by the planes of all faces.
+#[test]
+fn storage_of_an_earlier_frame_leaves_no_edge() {
+    let viewport = Viewport::new(Point::zero(), Size::new(64, 64)).expect("a viewport");
+    let camera = Camera::framing(
+        &CUBE.bounding_sphere(),
+        &viewport,
+        Angle::degrees(40),
+        Angle::degrees(30),
+        Angle::degrees(20),
+    );
+    let camera = camera.expect("a camera");
+    for cull in [Cull::Back, Cull::None] {
+        let instance = camera.place(&CUBE, &Affine::identity()).with_cull(cull);
+        let picture = |before: u16| {
+            let (mut levels, mut depths) = (vec![Gray8::BLACK; 64 * 64], vec![0; 64 * 64]);
+            let mut picture = Picture::new(&mut levels, viewport.size()).expect("room");
+            let mut depth = DepthBuffer::new(viewport.area(), &mut depths).expect("room");
+            let mut target = picture.pixels();
+            let mut target = target.depth_tested(&mut depth);
+            instance.faces(|face| Gray8::new(20 * face as u8 + 15)).draw(&mut target).expect("no error");
+            let mut buffers = mesh_buffers!(smooth: CUBE);
+            buffers.edge_bins.fill(before);
+            let transformed = instance.transform_depth(&mut buffers.cache);
+            let mut edges = transformed.bin_smooth_edges(|_| false, &mut buffers.edge_bins).expect("room");
+            target.smooth(|pass| edges.draw(pass));
+            levels
+        };
+        assert!(picture(0) == picture(u16::MAX), "{cull:?}");
     }
 }
 

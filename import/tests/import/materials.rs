@@ -219,5 +219,5 @@ fn a_preview_has_the_colours_of_its_triangles() {
     assert_eq!(shown.colors, [sky, rust, rust, sky, rust, rust]);
     let [dark, glowing] = [[0; 3], [255, 102, 0]];
     assert_eq!(shown.emission, [dark, glowing, glowing, dark, glowing, glowing]);
-    assert_eq!(shown.libraries, [path.with_file_name("painted.mtl")]);
+    assert_eq!(shown.files, [path.with_file_name("painted.mtl")]);
 }

@@ -136,7 +136,7 @@ fn texels_are_the_pictures_pixels() {
             assert_eq!(picture.color(column, row), [column as u8 * 16, row as u8 * 32, 255]);
         }
         assert_eq!(picture.color(16, 0), [0; 3]);
-        assert_eq!(mesh.libraries, [path.with_file_name("square.mtl"), path.with_file_name(file)]);
+        assert_eq!(mesh.files, [path.with_file_name("square.mtl"), path.with_file_name(file)]);
     }
     // The picture is only read if it is asked for.
     let path = square("unasked", "map_Kd nowhere.png", "other.png", numbered());

@@ -39,7 +39,7 @@ pub type IntoBand<'a, C> = dyn FnMut(&mut Band<'_, C>, &mut DepthBuffer<'_>) + '
 type CountedBand<'a, C, const N: usize> =
     dyn FnMut(&mut Pixels<'_, C, [u8; N]>, &mut DepthBuffer<'_>) -> Statistics + 'a;
 
-/// [`memory_in_rows`] with a gap of 5 cells, and without one if the depth buffer has the area of the pixels.
+/// `memory_in_rows` with a gap of 5 cells, and without one if the depth buffer has the area of the pixels.
 pub fn memory_with<C: PixelColor>(
     area: Rectangle,
     depth_area: Rectangle,
