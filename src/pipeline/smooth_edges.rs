@@ -261,7 +261,7 @@ impl<V: Coordinate, const DEPTH: bool> TransformedMesh<'_, V, DEPTH> {
 
     /// The [third corner](third_corner) of one of the faces listed beside an edge, which is drawn, and whether it lies on the side of larger minor
     /// coordinates; `None` if the face does not lie on the screen.
-    #[inline(never)] // code size: it has two callers
+    #[inline(never)] // it ends early, and its caller adds up in one place
     fn corner_beside(&self, index: usize, at: usize, crossed: &CrossedEdge) -> Option<(u16, bool)> {
         let mesh = self.instance.mesh();
         let face = mesh.listed_face(*mesh.listed_beside(index)?.get(at)?)?;

@@ -293,18 +293,18 @@ fn an_area_without_pixels_has_no_band() {
     }
 }
 
+/// A viewport of 64 × 64 pixels, and a camera that sees the cube in it.
+fn cube_seen_from(yaw: Angle) -> (Viewport, Camera) {
+    let viewport = Viewport::new(Point::zero(), Size::new(64, 64)).expect("a viewport");
+    let [field_of_view, pitch] = [40, 20].map(Angle::degrees);
+    let camera = Camera::framing(&CUBE.bounding_sphere(), &viewport, field_of_view, yaw, pitch);
+    (viewport, camera.expect("a camera"))
+}
+
 /// Of a mesh that lists no edges, and of one that lists all.
 #[test]
 fn bounds_without_edges_are_those_of_the_faces() {
-    let viewport = Viewport::new(Point::zero(), Size::new(64, 64)).expect("a viewport");
-    let camera = Camera::framing(
-        &CUBE.bounding_sphere(),
-        &viewport,
-        Angle::degrees(40),
-        Angle::ZERO,
-        Angle::degrees(20),
-    );
-    let camera = camera.expect("a camera");
+    let (_, camera) = cube_seen_from(Angle::ZERO);
     let plain = Mesh::new(CUBE.vertices(), CUBE.exponent(), CUBE.faces()).expect("a mesh");
     let [without, with] = [&plain, &CUBE].map(|mesh| {
         let instance = camera.place(mesh, &Affine::identity());
@@ -323,15 +323,7 @@ fn bounds_without_edges_are_those_of_the_faces() {
 /// The storage of edges is that of the frame before: what it holds does not matter, also where silhouettes are found by the planes of all faces.
 #[test]
 fn storage_of_an_earlier_frame_leaves_no_edge() {
-    let viewport = Viewport::new(Point::zero(), Size::new(64, 64)).expect("a viewport");
-    let camera = Camera::framing(
-        &CUBE.bounding_sphere(),
-        &viewport,
-        Angle::degrees(40),
-        Angle::degrees(30),
-        Angle::degrees(20),
-    );
-    let camera = camera.expect("a camera");
+    let (viewport, camera) = cube_seen_from(Angle::degrees(30));
     for cull in [Cull::Back, Cull::None] {
         let instance = camera.place(&CUBE, &Affine::identity()).with_cull(cull);
         let picture = |before: u16| {
