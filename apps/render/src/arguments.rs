@@ -1,10 +1,10 @@
 //! The options and their help.
 
 use crate::json::Names;
-use crate::paint::Mode;
 use crate::picture::Format;
 use crate::program::Output;
 use crate::projections::Named;
+use crate::style::Mode;
 use crate::{firmware, import};
 use clap::builder::PossibleValuesParser;
 use clap::{value_parser, Arg, ArgAction, Command, Id};

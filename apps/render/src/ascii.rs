@@ -1,10 +1,12 @@
 //! A picture as text, one character for 2 × 4 pixels: characters are about twice as high as wide, so these pixels are square.
 
+use crate::bands::Report;
 use crate::json::Names;
-use crate::paint::{Report, Style, Subject};
+use crate::paint::Subject;
 use crate::picture::{luma, picture, Format};
 use crate::quantised::Quantised;
 use crate::scene::Scene;
+use crate::style::Style;
 use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
 
 #[derive(Clone, Copy, Debug, PartialEq)]

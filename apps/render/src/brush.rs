@@ -1,7 +1,7 @@
 //! The shader of a face, whichever the options ask for. One type for all of them, so that the code that draws faces is compiled
 //! once for a pixel format, and not once more for each kind of shader.
 
-use crate::paint::Colour;
+use crate::bands::Colour;
 use pinhole::raster::{Span, Triangle};
 use pinhole::shading::{Barycentric, Lit};
 use pinhole::{

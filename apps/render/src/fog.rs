@@ -1,6 +1,6 @@
 //! Fog into the background's colour: the option `--fog`, and a scene's `"fog"`.
 
-use crate::paint::Colour;
+use crate::bands::Colour;
 use crate::quantised::Quantised;
 use crate::scene::Scene;
 use pinhole::fog::{Fog, FogTable};

@@ -4,6 +4,7 @@
 
 pub mod arguments;
 mod ascii;
+pub mod bands;
 mod brush;
 mod camera;
 mod colours;
@@ -23,7 +24,9 @@ pub use pinhole_apps_support::projections;
 pub mod quantised;
 mod range;
 pub mod scene;
+mod shades;
 mod sprite_paint;
 pub mod sprites;
+pub mod style;
 pub mod texture;
 mod turntable;

@@ -1,9 +1,11 @@
 //! A picture in the pixel format of a display, and pictures that scenes name: PNG and BMP files.
 
+use crate::bands::Report;
 use crate::json::Names;
-use crate::paint::{paint, Report, Style, Subject};
+use crate::paint::{paint, Subject};
 use crate::quantised::Quantised;
 use crate::scene::Scene;
+use crate::style::Style;
 use embedded_graphics::pixelcolor::Rgb888;
 use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::Rectangle;

@@ -1,10 +1,11 @@
 //! The command: from its options to its output files.
 
 use crate::arguments;
+use crate::bands::Report;
 use crate::firmware::{self, Code};
 use crate::model::Look;
 use crate::options::{self, Options};
-use crate::paint::{Report, Subject};
+use crate::paint::Subject;
 use crate::quantised::{self, Quantised};
 use crate::scene::Scene;
 use crate::{ascii, texture, turntable};

@@ -1,6 +1,6 @@
 //! Draws the sprites of a scene after its faces or edges, band by band.
 
-use crate::paint::{around, in_memory, Colour};
+use crate::bands::{around, in_memory, Colour};
 use crate::quantised::Quantised;
 use crate::scene::Scene;
 use crate::sprites::{Anchor, SceneSprites, SpriteSize};

@@ -1,10 +1,11 @@
 //! A film of a mesh that turns once, as a GIF.
 
 use crate::model::{self, Fit, Look};
-use crate::paint::{Style, Subject};
+use crate::paint::Subject;
 use crate::picture::{picture, Format};
 use crate::quantised::Quantised;
 use crate::scene::{Colors, Scene};
+use crate::style::Style;
 use crate::texture::SceneTexture;
 use embedded_graphics::geometry::Size;
 use embedded_graphics::pixelcolor::{Rgb888, RgbColor};

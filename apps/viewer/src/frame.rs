@@ -11,9 +11,11 @@ use pinhole::{
     draw::Statistics,
 };
 use pinhole_apps_support::canvas::Canvas;
+use pinhole_render::bands::Report;
 use pinhole_render::fog::FogStyle;
-use pinhole_render::paint::{paint, Mode, Report, Style, Subject};
+use pinhole_render::paint::{paint, Subject};
 use pinhole_render::quantised::Quantised;
+use pinhole_render::style::{Mode, Style};
 
 /// Statistics of the last frame.
 #[derive(Clone, Debug, Default, PartialEq)]

@@ -8,8 +8,8 @@ use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::{PrimitiveStyle, Rectangle};
 use embedded_graphics::text::{Baseline, Text};
 use pinhole::draw::Statistics;
-use pinhole_render::paint::Mode;
 use pinhole_render::picture::Format;
+use pinhole_render::style::Mode;
 use std::time::Duration;
 
 const BOX: Rgb888 = Rgb888::new(20, 24, 34);

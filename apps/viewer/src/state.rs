@@ -1,8 +1,8 @@
 //! The state of the simulator, and how keys and mouse change it.
 
-use pinhole_render::paint::{Mode, Translucency};
 use pinhole_render::picture::Format;
 use pinhole_render::projections::Named;
+use pinhole_render::style::{Mode, Translucency};
 
 /// Everything that a picture depends on.
 #[derive(Clone, Copy, Debug, PartialEq)]
