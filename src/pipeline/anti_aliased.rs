@@ -4,7 +4,7 @@
 
 use super::drawable::StrokeFor;
 use crate::camera::UnpackedVertex;
-use crate::color::StoredPixel;
+use crate::color::{Access, StoredPixel};
 use crate::fast::anti_aliased_line::{anti_aliased_edge, anti_aliased_line};
 use crate::fast::table_line::table_line;
 use crate::math::hints::keep_rolled;
@@ -20,9 +20,18 @@ use embedded_graphics_core::pixelcolor::PixelColor;
 /// within 1.38 pixels of the end, which may lie on the border of its pixel.
 pub(super) const BEYOND: i32 = 1;
 
-/// The number of rows where areas are taken from a table: an edge begins up to ¼ pixel before its end, where its middle may lie in the row
+/// The same where areas are taken from a table: an edge begins up to ¼ pixel before its end, where its middle may lie in the row
 /// before, and covers a part of the row before that one.
 pub(super) const BEYOND_BY_TABLE: i32 = 2;
+
+/// How many pixels the edges of a stroke reach beyond those rows and columns.
+pub(super) const fn beyond<C: PixelColor, K: StrokeKind<C>>() -> i32 {
+    match (K::BY_TABLE, <K::Access as Access>::READS) {
+        (true, _) => BEYOND_BY_TABLE,
+        (false, true) => BEYOND,
+        (false, false) => 0,
+    }
+}
 
 /// Draws a line between the centres of two pixels, from border to border.
 #[inline(always)]
@@ -50,13 +59,16 @@ pub(super) fn edge<T: Surface, K: StrokeFor<T>>(
     let ends = subpixels(ends);
     if K::BY_TABLE {
         let (line, halves) = LineCoverage::between_ends(ends, scissor);
-        if line.first < line.end && !table_line(&line, halves, stroke, target) && meet(ends, viewport) {
+        if line.first < line.end
+            && !table_line(&line, halves, stroke, target)
+            && meet(ends, BEYOND_BY_TABLE, viewport)
+        {
             by_parts(line.split(halves), &line.area(), &[LineEnds::HALF; 2], scissor, stroke, target);
         }
         return;
     }
     let line = LineCoverage::new(ends, BEYOND, scissor);
-    if !line.inside && !meet(ends, viewport) {
+    if !line.inside && !meet(ends, BEYOND, viewport) {
         return;
     }
     let area = line.area();
@@ -204,10 +216,10 @@ fn subpixels(ends: &[UnpackedVertex; 2]) -> [[i32; 2]; 2] {
 
 /// Whether an edge may reach into the viewport.
 #[inline(always)]
-fn meet(ends: [[i32; 2]; 2], viewport: &Scissor) -> bool {
+fn meet(ends: [[i32; 2]; 2], beyond: i32, viewport: &Scissor) -> bool {
     let [[ax, ay], [bx, by]] = ends.map(|end| end.map(|v| v >> 8));
     let pixels = Scissor::unclamped(ax.min(bx), ay.min(by), ax.max(bx) + 1, ay.max(by) + 1);
-    !pixels.grown(BEYOND).intersection(viewport).is_empty()
+    !pixels.grown(beyond).intersection(viewport).is_empty()
 }
 
 /// An edge by its parts, and the weights of the pixels at its start and its end.
@@ -242,7 +254,7 @@ pub(super) fn visible_edge<T: Surface, K: StrokeFor<T>>(
     target: &mut T,
 ) {
     let points = subpixels(ends);
-    if !meet(points, viewport) {
+    if !meet(points, beyond::<_, K>(), viewport) {
         return;
     }
     let (area, [at_start, at_end], [start, middle, end]) = parts_of::<_, K>(points, scissor);

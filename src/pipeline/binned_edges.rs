@@ -1,6 +1,6 @@
 //! Edges that are binned once per frame and drawn band by band.
 
-use super::anti_aliased;
+use super::anti_aliased::{self, beyond, BEYOND, BEYOND_BY_TABLE};
 use super::binned::{Binned, DrawnWith};
 use super::bins::{each_active, BinStorage};
 use super::draw_region::{pixels, DrawRegion};
@@ -61,13 +61,14 @@ impl<'a, V: Coordinate, const DEPTH: bool> TransformedMesh<'a, V, DEPTH> {
         for (index, &edge) in edges.iter().enumerate() {
             let Some(ends) = self.edge_out_of_line(edge, &mut statistics) else { continue };
             let mut bounds = bounds(&ends);
-            // A box outside the viewport is tried again, larger by the reach of an anti-aliased line. `add` is inlined once.
-            for _ in 0..2 {
+            // A box outside the viewport is tried again, larger by the reach of an anti-aliased line, and of one by a table. `add` is
+            // inlined once.
+            for _ in 0..=BEYOND_BY_TABLE {
                 keep_rolled();
                 if fill.add(index, &bounds) {
                     break;
                 }
-                bounds = bounds.grown(anti_aliased::BEYOND);
+                bounds = bounds.grown(1);
             }
         }
         let statistics = statistics.with_the_rest_drawn(edges.len());
@@ -166,22 +167,16 @@ impl<V: Coordinate, const DEPTH: bool> BinnedEdges<'_, V, DEPTH> {
         band: &Rectangle,
         depth: Option<&DepthBuffer<'_>>,
     ) -> DrawRegion {
-        if K::BY_TABLE {
-            self.advance::<{ anti_aliased::BEYOND_BY_TABLE }>(band, depth)
-        } else if <K::Access as Access>::READS {
-            self.advance::<{ anti_aliased::BEYOND }>(band, depth)
-        } else {
-            self.advance::<0>(band, depth)
+        match beyond::<C, K>() {
+            0 => self.advance::<0>(band, depth),
+            BEYOND => self.advance::<BEYOND>(band, depth),
+            _ => self.advance::<BEYOND_BY_TABLE>(band, depth),
         }
     }
 
     #[inline(never)] // one copy for all draw calls
-    fn advance<const BEYOND: i32>(
-        &mut self,
-        band: &Rectangle,
-        depth: Option<&DepthBuffer<'_>>,
-    ) -> DrawRegion {
-        self.0.advance_to_band::<BEYOND>(band, depth)
+    fn advance<const ROWS: i32>(&mut self, band: &Rectangle, depth: Option<&DepthBuffer<'_>>) -> DrawRegion {
+        self.0.advance_to_band::<ROWS>(band, depth)
     }
 
     /// Calls `draw` for each edge that may lie in the band of the last [`advance_to_band`](Self::advance_to_band).
@@ -201,11 +196,7 @@ impl<V: Coordinate, const DEPTH: bool> BinnedEdges<'_, V, DEPTH> {
             let ends = edge.and_then(|&edge| transformed.edge_out_of_line(edge, &mut Statistics::default()));
             let Some(ends) = ends else { return Ok(true) };
             draw(transformed, index, ends)?;
-            let beyond = match (K::BY_TABLE, <K::Access as Access>::READS) {
-                (true, _) => anti_aliased::BEYOND_BY_TABLE,
-                (false, is_anti_aliased) => anti_aliased::BEYOND * i32::from(is_anti_aliased),
-            };
-            Ok(bounds(&ends).rows().end + beyond <= end)
+            Ok(bounds(&ends).rows().end + beyond::<C, K>() <= end)
         })
     }
 }

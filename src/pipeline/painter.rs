@@ -51,9 +51,11 @@ use heapless::Vec;
 /// assert_eq!(display.get_pixel(Point::new(16, 16)), Some(Gray8::new(80))); // the nearer one
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug)]
 pub struct Painter<S, const VERTICES: usize, const FACES: usize> {
-    vertices: Vec<ScreenVertex, VERTICES>,
+    vertices: [ScreenVertex; VERTICES],
+    /// How many vertices belong to stored faces.
+    used: usize,
     faces: Vec<Face<S>, FACES>,
     statistics: Statistics,
     /// The viewport of the stored faces.
@@ -212,18 +214,25 @@ impl<V: Coordinate, F, const CULLED_BY: u8> Faces<'_, V, F, CULLED_BY> {
     }
 }
 
+impl<S: Copy, const VERTICES: usize, const FACES: usize> Default for Painter<S, VERTICES, FACES> {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
 /// No face: the end of a list.
 const NONE: u16 = u16::MAX;
 
 impl<S: Copy, const VERTICES: usize, const FACES: usize> Painter<S, VERTICES, FACES> {
     /// A painter without faces.
     pub const fn new() -> Self {
-        Self { vertices: Vec::new(), faces: Vec::new(), statistics: Statistics::NONE, area: None }
+        let vertices = [ScreenVertex::EMPTY; VERTICES];
+        Self { vertices, used: 0, faces: Vec::new(), statistics: Statistics::NONE, area: None }
     }
 
     /// Removes all faces.
     pub fn clear(&mut self) {
-        self.vertices.clear();
+        self.used = 0;
         self.faces.clear();
         self.statistics = Statistics::default();
         self.area = None;
@@ -265,16 +274,15 @@ impl<S: Copy, const VERTICES: usize, const FACES: usize> Painter<S, VERTICES, FA
         &mut self,
         instance: &MeshInstance<'_, V>,
     ) -> Result<(&mut [ScreenVertex], Recorder<'_, S, FACES>), BufferError> {
-        if self.vertices.is_empty() {
+        if self.used == 0 {
             self.area = Some(*instance.area());
         } else if self.area.as_ref() != Some(instance.area()) {
             return Err(BufferError::OtherViewport);
         }
-        let (first, count) = (self.vertices.len(), instance.mesh().vertices.len());
+        let (first, count) = (self.used, instance.mesh().vertices.len());
         let room =
             Room { first, vertices: first + count, first_face: self.faces.len(), faces: self.faces.len() };
         // A mesh that does not fit is reported by `finish`, when its needs are known.
-        let _ = self.vertices.resize_default(VERTICES);
         let vertices = self.vertices.get_mut(first..).unwrap_or_default();
         let (vertices, own) = vertices.split_at_mut(count.min(vertices.len()));
         Ok((vertices, Recorder { own: own.iter_mut(), faces: &mut self.faces, room }))
@@ -288,11 +296,10 @@ impl<S: Copy, const VERTICES: usize, const FACES: usize> Painter<S, VERTICES, FA
         } else if room.faces > most_faces {
             BufferError::Full { parameter: "FACES", needed: room.faces, capacity: most_faces }
         } else {
-            self.vertices.truncate(room.vertices);
+            self.used = room.vertices;
             self.statistics = self.statistics + statistics;
             return Ok(());
         };
-        self.vertices.truncate(room.first);
         self.faces.truncate(room.first_face);
         Err(error)
     }
@@ -338,7 +345,7 @@ impl<S: Copy, const VERTICES: usize, const FACES: usize> Painter<S, VERTICES, FA
     /// ```
     pub fn order(&mut self) -> PaintersOrder<'_, S> {
         let first = self.sort();
-        let (vertices, faces) = (self.vertices.as_slice(), self.faces.as_slice());
+        let (vertices, faces) = (&self.vertices, self.faces.as_slice());
         PaintersOrder { vertices, faces, first, area: self.area, statistics: self.statistics }
     }
 
@@ -495,7 +502,7 @@ impl<S: Shader, const FACES: usize> Recorder<'_, S, FACES> {
 defmt_format!(
     [S, const VERTICES: usize, const FACES: usize] Painter<S, VERTICES, FACES>, self,
     "painter of {=usize}/{=usize} vertices, {=usize}/{=usize} faces: {}",
-    self.vertices.len(), VERTICES, self.faces.len(), FACES, self.statistics
+    self.used, VERTICES, self.faces.len(), FACES, self.statistics
 );
 
 defmt_format!(

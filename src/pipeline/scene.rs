@@ -19,7 +19,7 @@ use crate::raster::Scissor;
 use crate::scene::Mesh;
 use crate::shading::{Shader, SpanShader};
 use crate::space::{Model, World};
-use crate::surface::{rectangle, BufferError, DepthBuffer, SmoothPass, Surface, Target};
+use crate::surface::{drawable, rectangle, BufferError, DepthBuffer, SmoothPass, Surface, Target};
 use core::convert::Infallible;
 use core::ops::{Deref, DerefMut};
 use embedded_graphics_core::geometry::Point;
@@ -421,8 +421,9 @@ impl<'f, 'm, M, const OBJECTS: usize> BinnedScene<'f, 'm, M, OBJECTS> {
         mut draw: impl FnMut(usize, &'f Object<'m, M>, &mut BinnedFaces<'_>) -> Result<(), E>,
     ) -> Result<(), E> {
         let Self { objects, camera, ref mut binned, .. } = *self;
+        let band = drawable(band);
         for BinnedObject { index, cache, bins, is_cached } in binned {
-            let is_in_band = !rectangle(&bins.bounds()).intersection(band).is_zero_sized();
+            let is_in_band = !bins.bounds().intersection(&band).is_empty();
             let Some(object) = objects.get(*index).filter(|_| is_in_band) else { continue };
             let instance = match transforms || !*is_cached {
                 true => object.place(camera),
@@ -431,8 +432,9 @@ impl<'f, 'm, M, const OBJECTS: usize> BinnedScene<'f, 'm, M, OBJECTS> {
             let transformed = TransformedMesh::with_cache(&instance, true, cache);
             let binned = Binned { transformed, bins: bins.reborrowed(), statistics: Statistics::NONE };
             let mut faces = binned.into();
-            draw(*index, object, &mut faces)?;
-            bins.cursor = faces.binned.bins.cursor;
+            let drawn = draw(*index, object, &mut faces);
+            bins.cursor = faces.binned.bins.cursor; // after an error, too: the bins know which faces are active
+            drawn?;
         }
         Ok(())
     }

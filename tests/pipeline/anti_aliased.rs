@@ -14,7 +14,7 @@ use pinhole::{
 };
 use std::f64::consts::TAU;
 use support::bridge::draw::{cube_camera, flat_camera, CUBE, CUBE_EDGES, CUBE_FACES};
-use support::bridge::pair::{ModelBits, Step};
+use support::bridge::pair::{CameraBits, ModelBits, ProjectionBits, Step, ONE};
 use support::bridge::rectangle;
 use support::bridge::ways::{bands, lines_by_every_call, memory, memory_with};
 use support::oracle::rng::Rng;
@@ -380,13 +380,45 @@ fn a_line_just_below_the_picture_covers_half_of_the_last_row() {
     assert!(last.iter().all(|&own| (own - 0.484).abs() < 0.004), "{last:?}");
 }
 
-/// An edge with areas from a table may reach two pixels beyond its end; in bands it is left out if it is a pixel away from the picture.
+/// Edges that end beside a picture cover the pixels that they cover as a part of a larger picture, with each stroke and in each way to draw.
 #[test]
-fn edges_beside_the_picture_are_equal_in_bands_and_in_one_piece() {
-    for step in 0..32 {
-        let end = [24.0 + f64::from(step) / 32.0, -1.0 - 1.0 / 256.0];
-        drawn(&[[end[0] - 10.0, end[1] - 9.875], end], AntiAliased(Gray8::WHITE).by_table());
+fn edges_that_end_beside_the_picture_cover_their_part_of_it() {
+    const MORE: i32 = 8;
+    let (size, pixel) = (SIDE as i32, 256 * ONE);
+    let window = [-MORE * pixel, (size + MORE) * pixel].repeat(2).try_into().expect("four borders");
+    let larger = (size + 2 * MORE) as u32;
+    let mut larger = CameraBits::ahead(ProjectionBits::Orthographic(window, -ONE, ONE), (larger, larger));
+    (larger.viewport.0, larger.viewport.1) = (-MORE, -MORE);
+    let (larger, mut rng) = (larger.library(), Rng::new(0xB1));
+    let mut mixed = 0;
+    for _ in 0..2_000 {
+        // From beside a border to anywhere, mostly farther out.
+        let from = [rng.int(0, i64::from(size) * 256), -rng.int(1, 700)];
+        let to = [from[0] + rng.int(-2000, 2000), from[1] + rng.int(-2000, 100)];
+        let (swaps, mirrors) = (rng.below(2) == 1, rng.below(2) == 1);
+        let points = [from, to].map(|[x, y]| {
+            let y = if mirrors { i64::from(size) * 256 - y } else { y };
+            (if swaps { [y, x] } else { [x, y] }).map(|v| v as f64 / 256.0)
+        });
+        let vertices = points.map(vertex);
+        let mesh = Mesh::new(&vertices, 0, &[]).and_then(|mesh| mesh.with_edges(&[[0, 1]])).expect("a mesh");
+        let whole = larger.place(&mesh, &Affine::identity());
+        let part = |draw: &mut dyn FnMut(&mut Pixels<'_, Gray8>)| -> Vec<f64> {
+            let area = rectangle(0, 0, SIDE as u32, SIDE as u32);
+            let pixels = memory(area, Gray8::BLACK, &mut |target, _| draw(target));
+            pixels.iter().map(|color| f64::from(color.luma()) / 255.0).collect()
+        };
+        let (exact, by_table) = (AntiAliased(Gray8::WHITE), AntiAliased(Gray8::WHITE).by_table());
+        let wanted = [
+            part(&mut |target| at_once(&whole, Gray8::WHITE, target)),
+            part(&mut |target| at_once(&whole, exact, target)),
+            part(&mut |target| at_once(&whole, by_table, target)),
+        ];
+        mixed += usize::from(wanted[1].iter().chain(&wanted[2]).any(|&own| own > 0.0));
+        let found = [drawn(&points, Gray8::WHITE), drawn(&points, exact), drawn(&points, by_table)];
+        assert!(found == wanted, "{points:?}");
     }
+    assert!(mixed > 300, "{mixed}");
 }
 
 /// Draws all edges with one stroke.

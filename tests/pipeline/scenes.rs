@@ -14,6 +14,7 @@ use support::bridge::draw::{CUBE, CUBE_FACES};
 use support::bridge::rectangle;
 use support::bridge::ways::{bands, memory, memory_with};
 use support::oracle::rng::Rng;
+use support::oracle::target::{area, Recorder};
 use support::solids::Solid;
 
 const WIDTH: u32 = 56;
@@ -187,6 +188,50 @@ fn a_scene_is_its_objects_drawn_by_hand() {
         (culled, drawn) = (culled + OBJECTS - visible.len(), drawn + d);
     }
     assert!(culled > 300 && drawn > 2000 && clipped > 300, "{culled} {drawn} {clipped}");
+}
+
+/// A binned scene is drawn onto targets of any bounds, and a band once more after its target failed.
+#[test]
+fn a_binned_scene_is_drawn_onto_targets_of_any_size_and_after_they_failed() {
+    let (mut rng, meshes) = (Rng::new(0xe7), meshes());
+    let shade = |index: usize, _: &Object<'_, usize>| move |face| number(index, face);
+    for _ in 0..20 {
+        let (scene, camera) = (random(&mut rng, &meshes), camera(&mut rng));
+        let placed = scene.place(&camera);
+        let mut cache = vec![ScreenVertex::EMPTY; sum(&placed, |mesh| mesh.vertices().len())];
+        let mut bins = vec![0; sum(&placed, |mesh| mesh.face_bins_len())];
+        let mut faces = placed.bin_faces(&mut cache, &mut bins).expect("room for all faces");
+        let mut whole = Recorder::new(rectangle(-100, -100, 300, 300));
+        faces.draw(shade, &mut whole).expect("no error");
+        let is_part = |target: &Recorder<_>| {
+            let bounds = area(target.bounding_box());
+            let inside = whole.pixels.iter().filter(|((x, y), _)| bounds.contains((*x).into(), (*y).into()));
+            target.outside == 0 && target.pixels.iter().eq(inside)
+        };
+        const MOST: u32 = u32::MAX;
+        for (x, y, width, height) in [
+            (0, 0, 1 << 31, 64),
+            (1, 1, MOST >> 1, 64),
+            (-1000, -1000, MOST, MOST),
+            (i32::MIN, i32::MIN, MOST, MOST),
+        ] {
+            let mut target = Recorder::new(rectangle(x, y, width, height));
+            faces.draw(shade, &mut target).expect("no error");
+            assert!(is_part(&target), "{x} {y} {width} {height}");
+        }
+        for top in (0..HEIGHT as i32).step_by(7) {
+            let mut after = 0;
+            let drawn = loop {
+                let mut target = Recorder::new(rectangle(0, top, WIDTH, 7));
+                target.fails_at = Some(after);
+                if faces.draw(shade, &mut target).is_ok() {
+                    break target;
+                }
+                after = 2 * after + 1;
+            };
+            assert!(is_part(&drawn), "row {top}");
+        }
+    }
 }
 
 /// Of a binned scene, the shaders of an object are asked for in the bands that its faces meet, and in no others.
