@@ -42,7 +42,7 @@
 //! use pinhole::prelude::*;
 //! let _ = Affine::<Model, World>::identity();
 //! ```
-//! ```compile_fail,E0277
+//! ```compile_fail,E0599
 //! use pinhole::{space::{View, World}, Affine};
 //! let _ = Affine::<World, View>::identity();
 //! ```

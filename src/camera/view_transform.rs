@@ -253,7 +253,7 @@ impl ViewTransform {
         model.normals().rotated(&self.rows)
     }
 
-    /// The eye in 2⁻³² world units, exact: −2⁴⁷ … 2⁴⁷.
+    /// The eye in 2⁻³² world units, exact: −2⁴⁸ … 2⁴⁸.
     pub(super) const fn eye(&self) -> [i64; 3] {
         self.eye
     }

@@ -63,7 +63,7 @@ impl<A: SceneSpace, B: SceneSpace> Affine<A, B> {
     }
 
     /// Uniform scale by `factor`: exact below 16384, with a relative error of 2⁻³⁰ above. A factor of zero maps every point to
-    /// the origin, so nothing is drawn.
+    /// the origin: no face covers a pixel.
     pub fn scale(factor: Scalar) -> Self {
         Self::scale_axes(factor, factor, factor)
     }

@@ -106,9 +106,9 @@ impl<V: Coordinate<Stored = V>> PlacedSprites<'_, V> {
     /// A [`Translucent`](crate::shading::Translucent) picture reads the stored pixels, so it does not compile for a
     /// target whose pixels do not lie in memory:
     ///
-    /// ```compile_fail
+    /// ```compile_fail,E0277
     /// # use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Rgb565, prelude::*};
-    /// # use pinhole::{prelude::*, Angle};
+    /// # use pinhole::{color::Half, math::Sphere, prelude::*, shading::Translucent, sprite::SolidTexel, Angle};
     /// # let viewport = Viewport::new(Point::zero(), Size::new(64, 64))?;
     /// # let sphere = Sphere { centre: Point3::from_ints(0, 0, 0), radius: Scalar::from_int(2) };
     /// # let camera = Camera::framing(&sphere, &viewport, Angle::degrees(40), Angle::ZERO, Angle::ZERO)?;

@@ -606,7 +606,7 @@ impl<V: Coordinate> Mesh<'_, V> {
         let mut square = 0u64;
         for &vertex in self.vertices {
             let v = vertex.map(|c| i64::from(c.times(factor)));
-            // Differences below 2³², halved: three squares below 2⁶².
+            // Differences of at most 2³¹, halved: three squares of at most 2⁶⁰.
             let part = |i: usize| (v[i] - centre[i]).unsigned_abs().div_ceil(2).pow(2);
             square = square.max(part(0) + part(1) + part(2));
         }

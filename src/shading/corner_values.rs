@@ -20,7 +20,7 @@ impl CornerValues {
         Self { depths, w }
     }
 
-    /// Depths in 1/256 of a step: 0 near … 65534·256 + 119 far, linear on the screen. Zeros if the shader does not
+    /// Depths in 1/256 of a step: 0 near … 65534·256 + 119 far, linear on the screen. Without a meaning if the shader does not
     /// [ask for them](crate::shading::Shader::NEEDS_DEPTH).
     pub const fn depths(&self) -> [i32; 3] {
         self.depths

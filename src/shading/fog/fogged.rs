@@ -19,8 +19,8 @@ use embedded_graphics_core::pixelcolor::PixelColor;
 /// one level.
 ///
 /// **Draw calls** in one piece transform vertices with depth and clip at the far plane. In bands, bin faces of
-/// [`transform_depth`](crate::draw::MeshInstance::transform_depth); of `transform`, `cargo build` stops (`cargo check` does not). [`fill_triangle`](crate::draw::fill_triangle) has no depth: it
-/// draws in the fog of the near plane.
+/// [`transform_depth`](crate::draw::MeshInstance::transform_depth); of `transform`, `cargo build` stops (`cargo check` does not). [`fill_triangle`](crate::draw::fill_triangle) has no depth,
+/// and stops the build, too.
 ///
 /// **Sprites.** It wraps the picture of a [`Sprite`](crate::sprite::Sprite), too, such as a tree: `Sprite::new(Fogged::new(picture, &table))`. All
 /// pixels of a sprite have the level of its point, by its depth as [`FogTable::factor`] takes it.
@@ -65,8 +65,8 @@ pub struct Fogged<'t, S, C> {
 
 impl<'t, S, C> Fogged<'t, S, C> {
     /// A shader in the fog of a table.
-    pub fn new(shader: S, table: &'t FogTable<C>) -> Self {
-        Self { shader, table, depths: [0; 3], levels: [table.level(Gradient::DEPTH_BIAS); 2] }
+    pub const fn new(shader: S, table: &'t FogTable<C>) -> Self {
+        Self { shader, table, depths: [0; 3], levels: [0; 2] } // until a draw call knows the depths
     }
 
     /// Sets the level to that of a depth, 0 … 65535, and returns the wrapped picture.

@@ -45,7 +45,7 @@ impl<S> BilinearTexels<S> {
     }
 }
 
-/// One texel in 2⁻³² of a side of 2^`bits` texels; `bits` is 1 … 31.
+/// One texel in 2⁻³² of a side of 2^`bits` texels; `bits` is 3 … 8; any other overflows nothing.
 #[inline(always)]
 const fn texel_of(bits: u32) -> u32 {
     1 << (32u32.wrapping_sub(bits) & 31)
@@ -54,7 +54,7 @@ const fn texel_of(bits: u32) -> u32 {
 /// Whether the magnitude of a wrapping difference is below `texel`.
 #[inline(always)]
 const fn is_below(difference: u32, texel: u32) -> bool {
-    difference.wrapping_add(texel - 1) < (texel << 1) - 1
+    difference.wrapping_add(texel - 1) < (texel << 1).wrapping_sub(1)
 }
 
 /// How far a coordinate is behind the centre of its texel, a share of the next texel.
