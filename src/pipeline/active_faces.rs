@@ -141,7 +141,7 @@ impl<'a, V: Coordinate, const DEPTH: bool> BinnedFaces<'a, V, DEPTH> {
     /// rows the torus needs 56, the height field F1 of 64 × 64 vertices 166 with each face in one colour; three times the square root of the number of visible faces is
     /// enough for most meshes. A face that finds no entry is set up again in the next band.
     ///
-    /// Carried are faces of one colour, such as a color or [`Flat`](crate::shading::Flat) without fog, that are at most 32 rows high and not
+    /// Carried are faces of one colour, such as a colour or [`Flat`](crate::shading::Flat) without fog, that are at most 32 rows high and not
     /// clipped, drawn into the `pixels()` of bands that follow each other from top to bottom. All others are set up in each band. On a Cortex-M0 no face is
     /// carried. The closure that shades a face is called in the first band that the face lies in, and in further bands unless the face is
     /// carried into them: a carried face keeps its colour.

@@ -151,7 +151,7 @@ fn by_pixels<T: Surface, K: StrokeFor<T>>(
 }
 
 /// Mixes the pixels of a line inside the scissor, which lies in the target, for which `is_visible` is true, given x, y and the
-/// share of the line's color, in 2⁻¹⁶. `ends`: as in [`by_pixels`].
+/// share of the line's colour, in 2⁻¹⁶. `ends`: as in [`by_pixels`].
 #[inline(always)]
 #[allow(clippy::too_many_arguments)]
 fn mix_columns<const UNROLLED: bool, T: Surface, K: StrokeFor<T>, D: Copy>(
@@ -196,7 +196,7 @@ fn mix_columns<const UNROLLED: bool, T: Surface, K: StrokeFor<T>, D: Copy>(
                 let below = T::Color::load(*cell);
                 let share = match weight {
                     LineEnds::ALL => area,
-                    // Shares of an opaque color leave factors of the stored color. Shares of a translucent one nearly add up.
+                    // Shares of an opaque colour leave factors of the stored colour. Shares of a translucent one nearly add up.
                     _ if K::IS_OPAQUE || mix(below, 0) == color => weighted_area(area, weight),
                     _ => (area * weight) >> 4,
                 };
@@ -240,7 +240,7 @@ fn parts_of<C: PixelColor, K: StrokeKind<C>>(
 
 /// Draws the pixels of an edge that are as near as the depth buffer, or for which `is_drawn_over` is true, given the stored depth
 /// and the pixel. All pixels of a column have the depth of the line in the middle of the column. `stores`: that depth is stored
-/// where the line's color has at least half of a pixel.
+/// where the line's colour has at least half of a pixel.
 #[inline(never)] // one copy for both callers
 #[allow(clippy::too_many_arguments)]
 pub(super) fn visible_edge<T: Surface, K: StrokeFor<T>>(
@@ -418,7 +418,7 @@ mod tests {
         taken.edges += usize::from(taken_alone);
     }
 
-    /// Compares a line in every format, over a background of random colors.
+    /// Compares a line in every format, over a background of random colours.
     fn in_all_formats(ends: [[i32; 2]; 2], scissor: &Scissor, random: &mut Random, taken: &mut Taken) {
         fn one<C: Color + core::fmt::Debug>(
             color: C,

@@ -6,8 +6,8 @@
 //! - **Which part of a pixel belongs to the line**: the weight w grows from 0 to 1 along the line, around a plane through the end and
 //!   across the line: w = ½ + ¾·a, cut at 0 and 1, for a pixel whose centre lies a pixels behind the plane. Where a line goes straight
 //!   on in another one, the weights of both add up to 1.
-//! - **Which share is mixed**: a line that covers the area A of a pixel leaves 1 − A of the stored color. A line to which the part w
-//!   of the pixel belongs leaves (1 − A)ʷ. The colors that lines leave multiply, so two lines of one direction leave (1 − A)ʷ · (1 −
+//! - **Which share is mixed**: a line that covers the area A of a pixel leaves 1 − A of the stored colour. A line to which the part w
+//!   of the pixel belongs leaves (1 − A)ʷ. The colours that lines leave multiply, so two lines of one direction leave (1 − A)ʷ · (1 −
 //!   A)¹⁻ʷ, which is what one line leaves: the law of Beer and Lambert for layers of one material (*Real-Time Rendering*, 4th ed.,
 //!   section 14.1.2).
 //!
@@ -22,7 +22,7 @@ const ONE: i32 = 1 << 16;
 /// Half of a weight's unit, which is 1/16, in 2⁻²⁴: weights are rounded to nearest.
 const HALF_WEIGHT: i32 = 1 << 19;
 
-/// What a pixel keeps at least of the stored color where only a part of it belongs to a line: 1/32. Without this limit, a line that
+/// What a pixel keeps at least of the stored colour where only a part of it belongs to a line: 1/32. Without this limit, a line that
 /// covers a whole pixel would leave 0ʷ = 0 of it, however small the part is that belongs to the line.
 pub(super) const LEAST_LEFT: i32 = ONE / 32;
 
@@ -105,7 +105,7 @@ impl LineEnds {
     }
 }
 
-/// The share of a line's color in a pixel with this weight, 1 … 15, of which the whole line covers `area`, both shares in 2⁻¹⁶:
+/// The share of a line's colour in a pixel with this weight, 1 … 15, of which the whole line covers `area`, both shares in 2⁻¹⁶:
 /// 1 − (1 − area)ʷ, within 2⁻¹⁰, where 1 − area counts as 1/32 if it is less.
 #[inline(always)] // two calls, in loops
 pub(crate) fn weighted_area(area: i32, weight: i32) -> i32 {

@@ -72,11 +72,11 @@ impl<C: PixelColor> StrokeKind<C> for C {
 ///
 /// The edges of a mesh end at their vertices, in 1/256 pixel. Around a vertex a pixel belongs in part to
 /// each of the lines that meet there. A line that covers the area A of a pixel, of which the part w belongs to it, leaves (1 − A)ʷ of
-/// the stored color, so two lines that go straight on leave what one line leaves, and no pixel is drawn twice. Joints come out as
+/// the stored colour, so two lines that go straight on leave what one line leaves, and no pixel is drawn twice. Joints come out as
 /// the union of the strokes with **round joints**: a regular polygon with 64 sides of 1.8 pixels is within 0.045 of the exact area in
 /// every pixel, one with 16 sides within 0.08, a hexagon within 0.18, a square within 0.22; two lines at any angle miss at most 0.25 of
-/// a pixel, and cover up to 0.35 too much where they run side by side. A stroke that keeps a part of the stored color where it covers
-/// all, such as a translucent one of [`AntiAliasedBy`], has its shares added: with half of the color, all these polygons are within 0.14.
+/// a pixel, and cover up to 0.35 too much where they run side by side. A stroke that keeps a part of the stored colour where it covers
+/// all, such as a translucent one of [`AntiAliasedBy`], has its shares added: with half of the colour, all these polygons are within 0.14.
 ///
 /// The area is within 2⁻¹² pixel of the exact one, asserted against polygons cut in f64. The share is rounded once: to 1/32, which is
 /// at most 1/64 off, for colours of 15 and 16 bits, and to 1/256 for other colours; [`Color::over`] then mixes, each channel rounded to
