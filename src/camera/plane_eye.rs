@@ -95,8 +95,9 @@ impl PlaneEye {
         let along = |eye: i32, c: i16| eye - ((self.w * i32::from(c) + (1 << 14)) >> 15); // at most 2¹⁴
         let [x, y, z] = self.xyz;
         let (x, y, z) = (along(x, cx), along(y, cy), along(z, cz));
-        let from_planes = ((i32::from(radius as u16) * ((errors & 255) + 1)) >> 8) + 1; // at most 2¹⁶
-                                                                                        // At most 3·2²⁹, and 2²⁹ + 2¹⁸: in 2¹⁵ they are subtracted without overflow.
+        // at most 2¹⁶
+        let from_planes = ((i32::from(radius as u16) * ((errors & 255) + 1)) >> 8) + 1;
+        // At most 3·2²⁹, and 2²⁹ + 2¹⁸: in 2¹⁵ they are subtracted without overflow.
         let in_front = (i32::from(ax) * x + i32::from(ay) * y + i32::from(az) * z) >> 15;
         let off = (self.w.abs() * from_planes + MARGIN + (1 << 15) - 1) >> 15;
         let Ok(rest) = u32::try_from(in_front - off) else { return false };

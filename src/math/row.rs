@@ -110,8 +110,8 @@ impl Row {
     /// `self · factor`, of 30 bits and an exponent.
     pub(crate) fn times(&self, (m, e): (i64, i32)) -> Self {
         let sums = self.linear.map(|c| i64::from(c) * m); // at most 2⁶⁰
-        Self::new(&sums, self.exponent - 30 + e, mul_translation(m as i32, e, self.offset))
-        // |m| ≤ 2³⁰
+        let offset = mul_translation(m as i32, e, self.offset); // |m| ≤ 2³⁰
+        Self::new(&sums, self.exponent - 30 + e, offset)
     }
 
     /// `self · a + other · b` for factors of 30 bits and an exponent each.

@@ -89,7 +89,7 @@ impl<V: Coordinate, const DEPTH: bool> TransformedMesh<'_, V, DEPTH> {
 }
 
 impl<V: Coordinate, const DEPTH: bool> BinnedEdges<'_, V, DEPTH> {
-    /// Draws the edges in a band as [`Edges::draw`](crate::draw::Edges::draw) does.
+    /// Draws the edges in a band as [`Edges::draw`](crate::draw::Edges::draw) does, all with one stroke.
     ///
     /// # Errors
     ///

@@ -47,8 +47,9 @@ impl LineDepth {
         }
         // In 2^(shift − 41) of 2⁻¹⁶ steps per sub-pixel: 1/(b − a), of 1 … 2²², is mantissa · 2^(shift − 61).
         let r = reciprocal(b - a);
-        let product = mul_wide(zb - za, r.mantissa) >> 12; // 25 + 31 − 12 bits
-                                                           // In 2⁻³² of 2⁻¹⁶ steps per sub-pixel, modulo 2³² of them. The shift is 8 for 2²² sub-pixels alone: then a bit is lost.
+        // 25 + 31 − 12 bits
+        let product = mul_wide(zb - za, r.mantissa) >> 12;
+        // In 2⁻³² of 2⁻¹⁶ steps per sub-pixel, modulo 2³² of them. The shift is 8 for 2²² sub-pixels alone: then a bit is lost.
         let slope = match r.shift.min(30) {
             ..9 => product >> 1,
             shift => product << (shift - 9), // 0 … 21

@@ -113,8 +113,9 @@ pub(crate) fn weighted_area(area: i32, weight: i32) -> i32 {
     // −log₂ in 2⁻¹⁶: at most 5.
     let shift = leading_zeros(left as u32) - 15;
     let exponent = shift * ONE - log2((left << shift) - ONE);
-    let exponent = (exponent * weight) >> 4; // 19 + 4 bits
-                                             // 2^−exponent, from the next larger power with a whole exponent.
+    // 19 + 4 bits
+    let exponent = (exponent * weight) >> 4;
+    // 2^−exponent, from the next larger power with a whole exponent.
     let whole = (exponent + ONE - 1) >> 16;
     ONE - ((ONE + exp2(whole * ONE - exponent)) >> whole)
 }

@@ -9,7 +9,7 @@ use crate::math::{Affine, Point3, Scalar};
 use crate::space::{Model, World};
 
 /// A light at a point of the world, set up for one object: it lights vertices and faces by their position and normal, and
-/// nothing beyond its range.
+/// nothing beyond its range. Not a [`Light`](crate::light::Light), which needs no position.
 ///
 /// At distance r of a position to the light, with unit normal n and unit vector l towards the light, a level is `strength ·
 /// max(0, n·l) · (1 − r²/range²)²`, and 0 beyond the range: light falls to nothing at the range, without an edge. (Akenine-Möller

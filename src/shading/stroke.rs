@@ -49,8 +49,8 @@ pub trait StrokeKind<C: PixelColor>: Copy {
     /// part of the pixel that the line does not cover. Override both where what all pixels of a line need can be computed once.
     #[inline(always)]
     fn mixer(self) -> impl Fn(C, u32) -> C + Copy {
-        move |below, rest| self.covering(below, 256_u32.wrapping_sub(rest) as u16)
         // 0 … 256
+        move |below, rest| self.covering(below, 256_u32.wrapping_sub(rest) as u16)
     }
 }
 

@@ -357,7 +357,8 @@ fn set_ups_that_cannot_be_are_refused() {
         "the fog spans 4 of 65535 steps of depth, but needs 8: move the near plane away from the eye, or the fog's start and end apart"
     );
     assert!(table(&lens, 300.0, 1000.0).is_ok()); // 9.6
-                                                  // Nothing but fog, and no fog at all.
+
+    // Nothing but fog, and no fog at all.
     let all = table(&lens, -3.0, 0.0).unwrap();
     assert_eq!([0, 65_534].map(|depth| all.factor(depth)), [0; 2]);
     let none = table(&lens, 1001.0, 2000.0).unwrap();

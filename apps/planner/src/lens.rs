@@ -83,8 +83,9 @@ impl Lens {
             }
             kind => {
                 let field_of_view = choice.projection.field_of_view().round() as i32; // at most 100
-                                                                                      // As `Camera::framing` does it, for a sphere that holds the one that is sheared along the projectors: the
-                                                                                      // largest singular value of a shear by l is (l + √(l² + 4))/2.
+
+                // As `Camera::framing` does it, for a sphere that holds the one that is sheared along the projectors: the
+                // largest singular value of a shear by l is (l + √(l² + 4))/2.
                 let (yaw, lean) = upright(choice).unwrap_or_default();
                 let shear = lean[0].hypot(lean[1]);
                 let large = radius * (shear + shear.hypot(2.0)) / 2.0;
