@@ -27,7 +27,7 @@ pub(crate) trait ClipCorners {
     /// intersected edge differ by less than 2⁶².
     fn distance(&self, plane: usize, at: usize) -> i64;
 
-    /// The planes that the corner in slot `at` lies outside of, one bit each.
+    /// The planes that the corner in slot `at` lies outside of, one bit each: their distance is negative. Others may be negative, too.
     fn planes_outside(&self, at: usize) -> u32;
 
     /// Stores the point at parameter `t`·2⁻³¹ from corner `inside` to corner `outside` in slot `at`, which may be the slot of either.
@@ -120,8 +120,9 @@ impl Varying for Barycentric {
 /// the edge's extent.
 #[inline(never)] // rare path: code size counts, speed does not
 fn intersect_edge(corners: &mut impl ClipCorners, plane: usize, at: usize, inside: usize, outside: usize) {
-    // 0 ≤ `within`, outside < 0, `within` + |outside| < 2⁶²: t in 2⁻³¹, below 1.
-    let within = corners.distance(plane, inside);
+    // 0 ≤ `within`, outside < 0, `within` + |outside| < 2⁶²: t in 2⁻³¹, below 1. A corner on the screen may lie up to half a sub-pixel
+    // outside of the guard band: its distance counts as 0.
+    let within = corners.distance(plane, inside).max(0);
     let across = within - corners.distance(plane, outside);
     let t = match u32::try_from(across) {
         Ok(across) => proper_fraction(within as u32, across), // always for the near plane
@@ -283,6 +284,43 @@ mod tests {
             }
         }
         (first <= last).then_some((first, last))
+    }
+
+    /// Corner 0 is on the screen: it counts as inside of all planes.
+    struct OnScreen(Volume);
+
+    impl ClipCorners for OnScreen {
+        fn distance(&self, plane: usize, at: usize) -> i64 {
+            self.0.distance(plane, at)
+        }
+
+        fn planes_outside(&self, at: usize) -> u32 {
+            if at == 0 {
+                0
+            } else {
+                self.0.planes_outside(at)
+            }
+        }
+
+        fn put(&mut self, at: usize, inside: usize, outside: usize, t: i32) {
+            self.0.put(at, inside, outside, t);
+        }
+    }
+
+    /// A corner on the screen may be rounded to there from just outside of a plane. What is cut off from it begins at this corner.
+    #[test]
+    fn what_leaves_from_just_outside_is_cut_there() {
+        for beyond in [0, 1, 3] {
+            let corner = [(1 << 20) + beyond, 5, 7, 1 << 20];
+            let outside = [[1 << 23, 1, 2, 1 << 21], [1 << 22, 900, -4, 1 << 20]];
+            let mut line = OnScreen(volume([corner, outside[0], [0; 4]]));
+            assert_eq!(clip_line(&mut line), Some(true));
+            assert_eq!(line.0 .0[1][..4], corner);
+            let (mut triangle, mut order) =
+                (OnScreen(volume([corner, outside[0], outside[1]])), SlotOrder::new());
+            assert!(clip_triangle(&mut triangle, &mut order));
+            assert!(order.iter().all(|&at| triangle.0 .0[usize::from(at)][..4] == corner), "{order:?}");
+        }
     }
 
     /// Where a segment is clipped, and that the order of its ends does not matter.

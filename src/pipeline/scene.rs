@@ -441,7 +441,8 @@ impl<'f, 'm, M, const OBJECTS: usize> BinnedScene<'f, 'm, M, OBJECTS> {
 
     /// Splits the binned faces of all objects into two, one for each of two cores, as [`BinnedFaces::fork`] splits those of one
     /// mesh. `cursor` is the second one's storage: for each object one number per 16 faces of its mesh, rounded up.
-    /// As many numbers as the bin storage has are always enough.
+    /// As many numbers as the bin storage has are always enough. `drop` the forks before the scene is drawn
+    /// or asked for its bounds again.
     ///
     /// # Errors
     ///

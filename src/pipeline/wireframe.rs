@@ -95,8 +95,8 @@ impl<'a, V: Coordinate, F> Edges<'a, V, F> {
     /// Into a target [with a depth buffer](crate::target::Surface::depth_tested) it draws the pixels that are as near as the buffer or nearer,
     /// and stores their depth: for axes, paths and cages among solid objects, after those objects. An edge that lies in a face comes
     /// out in pieces, as rounding decides which of both is nearer: for the edges of the solid objects themselves use
-    /// [`hidden_line`](Self::hidden_line). A pixel's depth is the depth of the line at the pixel's centre along the line's major axis,
-    /// within 0.51 of a step for lines of at most 512 pixels; for longer lines within ½ + 2⁻¹³ and 2⁻¹⁷ for every pixel. A line
+    /// [`hidden_line`](Self::hidden_line). A pixel's depth is the depth of the line at the pixel's centre along the line's major axis, or
+    /// that of an end if the centre lies beyond it, within 0.51 of a step for lines of at most 512 pixels; for longer lines within ½ + 2⁻¹³ and 2⁻¹⁷ for every pixel. A line
     /// whose two ends lie in one pixel is tested by its nearer end.
     ///
     /// # Errors
