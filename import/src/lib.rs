@@ -273,13 +273,10 @@ enum Format {
 impl Format {
     /// The format that the extension of a file says.
     fn of(file: &Path) -> Result<Self, ImportError> {
-        let extension = file.extension().and_then(|e| e.to_str()).unwrap_or_default();
-        if extension.eq_ignore_ascii_case("obj") {
-            Ok(Self::Obj)
-        } else if extension.eq_ignore_ascii_case("stl") {
-            Ok(Self::Stl)
-        } else {
-            Err(Problem::UnknownFormat.at(file, None))
+        match file.extension().unwrap_or_default().to_ascii_lowercase().to_str() {
+            Some("obj") => Ok(Self::Obj),
+            Some("stl") => Ok(Self::Stl),
+            _ => Err(Problem::UnknownFormat.at(file, None)),
         }
     }
 }

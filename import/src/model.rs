@@ -65,5 +65,5 @@ impl Places {
     }
 }
 
-/// The place of a triangle that is none of the file's.
+/// The number of a triangle or vertex that is none of the file's.
 pub(crate) const NOWHERE: usize = usize::MAX;
