@@ -37,14 +37,14 @@ pub(crate) fn unit(vector: [i64; 3]) -> [i16; 3] {
 
 /// For each vertex the mean of its faces' normals, weighted by the angle of the face there (Thürmer and Wüthrich 1998).
 /// Where they cancel, as on both sides of a sheet, the normal of the first face.
-pub(crate) fn of_vertices(vertices: &[[i16; 3]], faces: &[[u16; 3]], crosses: &[[i64; 3]]) -> Vec<[i16; 3]> {
-    let mut sums = vec![[0.0; 3]; vertices.len()];
-    let mut first = vec![None; vertices.len()];
+pub(crate) fn of_vertices(points: &[[i16; 3]], faces: &[[usize; 3]], crosses: &[[i64; 3]]) -> Vec<[i16; 3]> {
+    let mut sums = vec![[0.0; 3]; points.len()];
+    let mut first = vec![None; points.len()];
     for (face, &cross) in faces.iter().zip(crosses) {
         let normal = direction(cross);
-        let at = face.map(|vertex| vertices[usize::from(vertex)].map(i64::from));
+        let at = face.map(|vertex| points[vertex].map(i64::from));
         for corner in 0..3 {
-            let vertex = usize::from(face[corner]);
+            let vertex = face[corner];
             let [here, one, other] = [at[corner], at[(corner + 1) % 3], at[(corner + 2) % 3]];
             let [u, v] = [one, other].map(|to| direction([0, 1, 2].map(|axis| to[axis] - here[axis])));
             // acos loses half the digits at small angles; that is a weight's error of 1e-8.
