@@ -16,8 +16,8 @@ pub(crate) struct Exact {
     pub(crate) positions: Vec<[f64; 3]>,
     /// By what the file's units are multiplied.
     pub(crate) scale: f64,
-    /// Faces taken away by decimation, and an estimate of how far the surface moved.
-    pub(crate) decimated: (usize, f64),
+    /// Faces taken away by decimation, and an estimate of how far the surface moved; it makes other faces even if it takes none away.
+    pub(crate) decimated: Option<(usize, f64)>,
 }
 
 impl Exact {
@@ -35,7 +35,7 @@ impl Exact {
         let read = [positions.len(), faces.len()];
         let of_faces = welded.vertices.iter().map(|&vertex| positions[vertex]);
         let positions = of_faces.chain(lines.into_iter().flatten()).collect();
-        Ok(Exact { read, welded, positions, scale: 1.0, decimated: (0, 0.0) })
+        Ok(Exact { read, welded, positions, scale: 1.0, decimated: None })
     }
 
     /// Turns, scales and reverses the surface, as the options say.
@@ -65,7 +65,7 @@ impl Exact {
             let wrong = faces.filter(|(face, _)| parts.is_wrong(*face));
             wrong.for_each(|(_, corners)| *corners = reversed(*corners));
         }
-        self.decimated = decimate::decimate(welded, positions, wanted)?;
+        self.decimated = Some(decimate::decimate(welded, positions, wanted)?);
         positions.extend(ends_of_lines);
         match welded.faces.len() {
             0 => Err(Problem::Options("decimation to so few triangles leaves none: allow more")),

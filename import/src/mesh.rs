@@ -112,6 +112,7 @@ impl Report {
     /// What was done up to the winding of faces; `fetches` are those before and after faces were ordered.
     pub(crate) fn of(exact: &Exact, rounded: &Rounded, winding: &Winding, fetches: [f64; 2]) -> Self {
         let (before, after) = (&exact.welded, &rounded.welded);
+        let (decimated, decimation_error) = exact.decimated.unwrap_or_default();
         Report {
             vertices_read: exact.read[0],
             faces_read: exact.read[1],
@@ -123,8 +124,8 @@ impl Report {
             unused: before.unused + after.unused,
             reversed: winding.reversed,
             backs: winding.backs.len(),
-            decimated: exact.decimated.0,
-            decimation_error: exact.decimated.1,
+            decimated,
+            decimation_error,
             scale: exact.scale,
             extent: rounded.grid.extent,
             error: rounded.error,

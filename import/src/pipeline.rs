@@ -54,7 +54,7 @@ pub(crate) fn make(
     }
 
     begins(Step::Quantise);
-    let texture = model.texture.as_ref().filter(|_| exact.decimated.0 == 0);
+    let texture = model.texture.as_ref().filter(|_| exact.decimated.is_none());
     let (rounded, mut surface) = Rounded::of(&exact, texture, options)?;
     let fetches = order::order(&mut surface, options, begins);
     surface.add_lines(&rounded.ends_of_lines);
@@ -65,7 +65,7 @@ pub(crate) fn make(
     if !options.two_sided {
         model.warnings.extend(winding.warnings(&surface, &model.places, options.flip));
     }
-    if exact.decimated.0 > 0 && (model.colors.is_some() || model.texture.is_some()) {
+    if exact.decimated.is_some() && (model.colors.is_some() || model.texture.is_some()) {
         model.colors = None;
         model.warnings.push(Warning::DecimatedMaterials);
     }
