@@ -22,18 +22,9 @@ pub fn arguments() -> [Arg; 8] {
     [
         up,
         flag("flip", "Reverse all faces, for a model that is inside out"),
-        flag(
-            "fix-winding",
-            "Reverse faces that are wound otherwise than their neighbours, and parts that point inwards",
-        ),
-        flag(
-            "two-sided",
-            "Show the backs of faces too, except of closed bodies: these faces count, and cost, twice",
-        ),
-        Arg::new("object")
-            .long("object")
-            .value_name("NAME")
-            .action(ArgAction::Append)
+        flag("fix-winding", "Reverse faces that are wound otherwise than their neighbours, and parts that point inwards"),
+        flag("two-sided", "Show the backs of faces too, except of closed bodies: these faces count, and cost, twice"),
+        Arg::new("object").long("object").value_name("NAME").action(ArgAction::Append)
             .help("Only this object or group of an OBJ file; may be given several times"),
         Arg::new("step").long("step").value_name("STEP").allow_hyphen_values(true).value_parser(step).help(
             "The step of the grid, a power of two such as 2^-10 or 0.5: parts of one step fit together [default: the finest]",
@@ -56,10 +47,7 @@ fn step(text: &str) -> Result<f64, String> {
 
 /// The value of `--root`.
 fn folder(path: PathBuf) -> Result<PathBuf, &'static str> {
-    match path.is_dir() {
-        true => Ok(path),
-        false => Err("this is no folder"),
-    }
+    path.is_dir().then_some(path).ok_or("this is no folder")
 }
 
 /// The default options, changed by the given ones.

@@ -143,21 +143,13 @@ impl<'a> Beside<'a> {
         if !folders.into_iter().flatten().any(is_in) {
             return Err(Unread::Outside);
         }
-        if real.is_file() {
-            Ok(())
-        } else {
-            Err(Unread::NotRegular)
-        }
+        real.is_file().then_some(()).ok_or(Unread::NotRegular)
     }
 }
 
 /// A folder by a path that may be empty.
 fn here(folder: &Path) -> &Path {
-    if folder.as_os_str().is_empty() {
-        Path::new(".")
-    } else {
-        folder
-    }
+    Some(folder).filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."))
 }
 
 /// The path of what a folder has by this name, if need be with other capital letters.

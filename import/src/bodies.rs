@@ -146,11 +146,7 @@ fn crossing([a, b, c]: [[i64; 3]; 3], eye: [i64; 3]) -> i32 {
     let above = first(&[(0..3).map(|axis| normal[axis] * to[axis]).sum(), normal[0], normal[1], normal[2]]);
     let is_hit =
         up != 0 && above == -up && [(a, b), (b, c), (c, a)].iter().all(|&(from, to)| side(from, to) == up);
-    if is_hit {
-        up as i32
-    } else {
-        0
-    }
+    i32::from(is_hit) * up as i32
 }
 
 #[cfg(test)]

@@ -124,16 +124,14 @@ impl Sides {
                 _ => true,
             };
             let has_two_colors = || matches!(sides, [a, b] if colors.get(a.face()) != colors.get(b.face()));
-            let (wanted, is_later) = match options.edges {
-                Edges::All => (true, false),
-                Edges::None => (false, false),
-                Edges::Feature { degrees } => (is_feature(degrees), false),
-                Edges::CreasesFirst { degrees } => (true, !(is_feature(degrees) || has_two_colors())),
+            let is_later = match options.edges {
+                Edges::All => Some(false),
+                Edges::None => None,
+                Edges::Feature { degrees } => is_feature(degrees).then_some(false),
+                Edges::CreasesFirst { degrees } => Some(!(is_feature(degrees) || has_two_colors())),
             };
+            let Some(is_later) = is_later.or(line.map(|_| false)) else { continue };
             let edge = (is_later, as_indices(sides[0].edge()));
-            if !(wanted || line.is_some()) {
-                continue;
-            }
             if !options.edge_faces {
                 selected.push((edge, NO_FACES));
                 continue;

@@ -53,13 +53,16 @@ impl Grid {
         Ok(Grid { extent, centre: middle, exponent, step: power_of_two(exponent), finer, is_common })
     }
 
-    /// The nearest grid point. Every difference fits ±32767 by the choice of the exponent.
-    pub(crate) fn round(&self, position: &[f64; 3]) -> [i16; 3] {
-        [0, 1, 2].map(|axis| match self.is_common {
+    /// The nearest grid points. Every difference fits ±32767 by the choice of the exponent.
+    pub(crate) fn round(&self, positions: &[[f64; 3]]) -> Vec<[i16; 3]> {
+        let round = |position: &[f64; 3]| match self.is_common {
             // Half steps go up, wherever the centre is, and nothing but a sum is rounded.
-            true => ((position[axis] / self.step + 0.5).floor() - self.centre[axis] / self.step) as i16,
-            false => self.in_steps(position)[axis].round() as i16,
-        })
+            true => [0, 1, 2].map(|axis| {
+                ((position[axis] / self.step + 0.5).floor() - self.centre[axis] / self.step) as i16
+            }),
+            false => self.in_steps(position).map(|c| c.round() as i16),
+        };
+        positions.iter().map(round).collect()
     }
 
     /// A position in steps from the centre.

@@ -31,13 +31,16 @@
 #[cfg(feature = "cli")]
 #[doc(hidden)]
 pub mod arguments;
+mod attributes;
 mod beside;
 mod bodies;
 mod boxes;
 mod clusters;
 mod decimate;
+mod derive;
 mod edges;
 mod error;
+mod exact;
 mod grid;
 #[doc(hidden)]
 pub mod host;
@@ -51,27 +54,30 @@ mod options;
 mod order;
 mod parts;
 mod picture;
+mod pipeline;
 #[cfg(feature = "textures")]
 mod pixels;
 mod polygon;
 mod preview;
-mod quantise;
 mod remedy;
+mod rounded;
 mod rust;
 mod script;
 mod slivers;
 mod stl;
+mod surface;
 mod text;
 mod warning;
 mod weld;
+mod winding;
 
 pub use beside::Unread;
 pub use error::{ImportError, Problem};
 pub use mesh::{ImportedMesh, Report, Topology};
 pub use options::{Axis, Centre, Edges, Options, TextureFormat};
 pub use picture::IndexedPicture;
+pub use pipeline::quantise;
 pub use preview::{preview, Preview};
-pub use quantise::quantise;
 pub use remedy::Remedy;
 pub use rust::is_constant_name;
 pub use script::build;
@@ -273,13 +279,10 @@ enum Format {
 impl Format {
     /// The format that the extension of a file says.
     fn of(file: &Path) -> Result<Self, ImportError> {
-        let extension = file.extension().and_then(|e| e.to_str()).unwrap_or_default();
-        if extension.eq_ignore_ascii_case("obj") {
-            Ok(Self::Obj)
-        } else if extension.eq_ignore_ascii_case("stl") {
-            Ok(Self::Stl)
-        } else {
-            Err(Problem::UnknownFormat.at(file, None))
+        match file.extension().unwrap_or_default().to_ascii_lowercase().to_str() {
+            Some("obj") => Ok(Self::Obj),
+            Some("stl") => Ok(Self::Stl),
+            _ => Err(Problem::UnknownFormat.at(file, None)),
         }
     }
 }
@@ -305,7 +308,7 @@ fn finish(
     begins: &mut dyn FnMut(Step),
 ) -> Result<ImportedMesh, ImportError> {
     let up = options.up.unwrap_or(Axis::of_file(file));
-    let made = quantise::make(model, up, options, begins).map_err(|problem| problem.at(file, None))?;
+    let made = pipeline::make(model, up, options, begins).map_err(|problem| problem.at(file, None))?;
     let mesh = made.mesh.map_err(|problem| problem.at(file, None))?;
     Ok(ImportedMesh { warnings: made.warnings, ..mesh })
 }

@@ -24,91 +24,51 @@ fn main() -> ExitCode {
 fn command() -> Command {
     let path = |name: &'static str| Arg::new(name).required(true).value_parser(value_parser!(PathBuf));
     let flag = |name: &'static str| Arg::new(name).long(name).action(ArgAction::SetTrue);
+    let word = |name: &'static str, value: &'static str| Arg::new(name).long(name).value_name(value);
     let choice = |name: &'static str, values: &[&'static str]| {
         Arg::new(name).long(name).value_parser(PossibleValuesParser::new(values.to_vec()))
     };
     // Negative numbers too, so that the message says why they make no sense, not that they are unexpected.
-    let number = |name: &'static str| {
-        Arg::new(name).long(name).allow_negative_numbers(true).value_parser(value_parser!(f64))
-    };
+    let number =
+        |name, value| word(name, value).allow_negative_numbers(true).value_parser(value_parser!(f64));
+    let triangles = |text: &str| text.parse::<usize>().map_err(|_| "give a whole number of triangles");
     Command::new("pinhole-import")
         .about("Turns a model into Rust source for pinhole")
         .version(env!("CARGO_PKG_VERSION"))
         .arg(path("MODEL").help("The model to read: .obj, or .stl, binary or ASCII"))
         .arg(path("output").short('o').long("output").value_name("OUT.rs").help("The Rust file to write"))
-        .arg(
-            Arg::new("name")
-                .long("name")
-                .value_name("NAME")
-                .default_value("MESH")
-                .help("The constant's name"),
-        )
-        .arg(
-            choice("edges", &["all", "feature", "creases-first", "none"])
-                .default_value("all")
-                .help(
-                    "Which edges: all of all triangles; feature, edges where the surface turns by more than --feature-angle, \
-                     or ends, so that flat faces have no diagonals; creases-first, all edges, feature edges first, and their number \
-                     NAME_CREASES, for smooth edges; or none",
-                ),
-        )
-        .arg(
-            number("feature-angle")
-                .value_name("DEGREES")
-                .default_value("30")
-                .help("How far the surface turns at a feature edge or crease, 0 to 180"),
-        )
+        .arg(word("name", "NAME").default_value("MESH").help("The constant's name"))
+        .arg(choice("edges", &["all", "feature", "creases-first", "none"]).default_value("all").help(
+            "Which edges: all of all triangles; feature, edges where the surface turns by more than --feature-angle, \
+             or ends, so that flat faces have no diagonals; creases-first, all edges, feature edges first, and their number \
+             NAME_CREASES, for smooth edges; or none",
+        ))
+        .arg(number("feature-angle", "DEGREES").default_value("30").help(
+            "How far the surface turns at a feature edge or crease, 0 to 180",
+        ))
         .arg(flag("edge-faces").help("The two faces beside each edge, for hidden lines and smooth edges: 4 bytes an edge"))
-        .arg(
-            choice("normals", &["face", "vertex", "both", "none"])
-                .default_value("face")
-                .help("For light by faces, or smooth by vertices: 6 bytes each"),
-        )
-        .arg(
-            flag("planes")
-                .help("The plane of each face, for early back-face culling: 2 bytes a face"),
-        )
-        .arg(
-            flag("clusters")
-                .help("Order faces into clusters, for meshes much of which is out of view or turned away: 2.5 bytes a face, with planes"),
-        )
-        .arg(
-            choice("texture", &["2", "4", "16", "256"])
-                .value_name("COLORS")
-                .help("Write the picture of the materials (map_Kd, PNG or BMP) as texels of 1, 2, 4 or 8 bits and a palette"),
-        )
-        .arg(
-            Arg::new("texture-color")
-                .long("texture-color")
-                .value_name("TYPE")
-                .help("The type of the palette's colours [default: embedded_graphics::pixelcolor::Rgb565]"),
-        )
+        .arg(choice("normals", &["face", "vertex", "both", "none"]).default_value("face").help(
+            "For light by faces, or smooth by vertices: 6 bytes each",
+        ))
+        .arg(flag("planes").help("The plane of each face, for early back-face culling: 2 bytes a face"))
+        .arg(flag("clusters").help(
+            "Order faces into clusters, for meshes much of which is out of view or turned away: 2.5 bytes a face, with planes",
+        ))
+        .arg(choice("texture", &["2", "4", "16", "256"]).value_name("COLORS").help(
+            "Write the picture of the materials (map_Kd, PNG or BMP) as texels of 1, 2, 4 or 8 bits and a palette",
+        ))
+        .arg(word("texture-color", "TYPE").help(
+            "The type of the palette's colours [default: embedded_graphics::pixelcolor::Rgb565]",
+        ))
         .arg(flag("texture-mips").help("Mip levels beside the picture, in as many bytes again, against sparkling in the distance"))
         .args(arguments::arguments())
-        .arg(
-            choice("centre", &["box", "origin"])
-                .default_value("box")
-                .help("What becomes the origin: the centre of the bounding box, or the file's origin"),
-        )
-        .arg(
-            number("fit")
-                .value_name("LENGTH")
-                .help("Scale so that the longest side has this length, before --decimate"),
-        )
+        .arg(choice("centre", &["box", "origin"]).default_value("box").help(
+            "What becomes the origin: the centre of the bounding box, or the file's origin",
+        ))
+        .arg(number("fit", "LENGTH").help("Scale so that the longest side has this length, before --decimate"))
         .arg(flag("keep-order").help("Leave faces and vertices in the file's order"))
-        .arg(
-            Arg::new("decimate")
-                .long("decimate")
-                .value_name("N")
-                .allow_negative_numbers(true)
-                .value_parser(|text: &str| text.parse::<usize>().map_err(|_| "give a whole number of triangles"))
-                .help(DECIMATE),
-        )
-        .arg(
-            flag("arrays").help(
-                "Write VERTICES, FACES and so on as constants of their own, for code that reads the lists",
-            ),
-        )
+        .arg(word("decimate", "N").allow_negative_numbers(true).value_parser(triangles).help(DECIMATE))
+        .arg(flag("arrays").help("Write VERTICES, FACES and so on as constants of their own, for code that reads the lists"))
 }
 
 const DECIMATE: &str = if cfg!(feature = "decimate") {
@@ -152,20 +112,19 @@ fn texture(given: &ArgMatches) -> Option<TextureFormat> {
 fn refuse_idle(given: &ArgMatches) -> Result<(), String> {
     let typed = |name| given.value_source(name) == Some(ValueSource::CommandLine);
     let word = |name: &str| given.get_one::<String>(name).map_or("", String::as_str);
-    if typed("feature-angle") && !matches!(word("edges"), "feature" | "creases-first") {
-        return Err(
-            "--feature-angle: is that of --edges feature or creases-first: give one of them, too".into()
-        );
-    }
+    let has_idle_angle = typed("feature-angle") && !matches!(word("edges"), "feature" | "creases-first");
+    let what = "--feature-angle: is that of --edges feature or creases-first: give one of them, too";
+    refuse(has_idle_angle, what)?;
     for option in ["texture-color", "texture-mips"] {
-        if typed(option) && !typed("texture") {
-            return Err(format!("--{option}: is that of --texture COLORS: give this, too"));
-        }
+        let what = format!("--{option}: is that of --texture COLORS: give this, too");
+        refuse(typed(option) && !typed("texture"), what)?;
     }
-    if typed("name") && given.get_flag("arrays") {
-        return Err("--name: is that of a mesh, and --arrays writes lists, whose names are fixed".into());
-    }
-    Ok(())
+    let has_idle_name = typed("name") && given.get_flag("arrays");
+    refuse(has_idle_name, "--name: is that of a mesh, and --arrays writes lists, whose names are fixed")
+}
+
+fn refuse(is_wrong: bool, what: impl Into<String>) -> Result<(), String> {
+    (!is_wrong).then_some(()).ok_or_else(|| what.into())
 }
 
 fn run(given: &ArgMatches) -> Result<String, String> {
@@ -174,21 +133,12 @@ fn run(given: &ArgMatches) -> Result<String, String> {
     let (model, output) = (path("MODEL"), path("output"));
     let name = given.get_one::<String>("name").map_or("MESH", String::as_str);
 
-    if model.as_os_str() == "-" {
-        return Err(
-            "-: standard input is not read, as the name tells the format: name a file (.obj, .stl)".into()
-        );
-    }
-    if output.as_os_str() == "-" {
-        return Err("--output: - is no file, and standard output has the report: name a file".into());
-    }
-    let apart = |input: &Path| match host::is_same(input, &output) {
-        true => Err(format!(
-            "{}: is the model itself, or a file that it names: name another output",
-            output.display()
-        )),
-        false => Ok(()),
-    };
+    let what = "-: standard input is not read, as the name tells the format: name a file (.obj, .stl)";
+    refuse(model.as_os_str() == "-", what)?;
+    let what = "--output: - is no file, and standard output has the report: name a file";
+    refuse(output.as_os_str() == "-", what)?;
+    let what = "is the model itself, or a file that it names: name another output";
+    let apart = |input: &Path| refuse(host::is_same(input, &output), format!("{}: {what}", output.display()));
     apart(&model)?;
     let bar = progress();
     let mesh = pinhole_import::import_with(&model, &options(given), |step| {

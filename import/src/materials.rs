@@ -57,12 +57,8 @@ pub(crate) fn read(
                 paths.push(path);
                 let library = mtl::read(&text(&bytes));
                 if let [(first, problem), ..] = library.doubts[..] {
-                    warnings.push(Warning::LibraryLines {
-                        name,
-                        count: library.doubts.len(),
-                        first,
-                        problem,
-                    });
+                    let count = library.doubts.len();
+                    warnings.push(Warning::LibraryLines { name, count, first, problem });
                 }
                 known.extend(library.materials);
             }

@@ -1,8 +1,11 @@
 //! The mesh that an import makes, and the report about it.
 
 use crate::edges::Sides;
+use crate::exact::Exact;
 use crate::grid::power_of_two;
+use crate::rounded::Rounded;
 use crate::warning::MOST_FACES;
+use crate::winding::Winding;
 use crate::{IndexedPicture, Warning};
 #[cfg(feature = "mesh")]
 use pinhole::{
@@ -105,6 +108,32 @@ pub struct Report {
     pub fetches: [f64; 2],
 }
 
+impl Report {
+    /// What was done up to the winding of faces; `fetches` are those before and after faces were ordered.
+    pub(crate) fn of(exact: &Exact, rounded: &Rounded, winding: &Winding, fetches: [f64; 2]) -> Self {
+        let (before, after) = (&exact.welded, &rounded.welded);
+        let (decimated, decimation_error) = exact.decimated.unwrap_or_default();
+        Report {
+            vertices_read: exact.read[0],
+            faces_read: exact.read[1],
+            welded: before.welded,
+            welded_by_quantising: after.welded,
+            degenerate: before.degenerate.len() + after.degenerate.len(),
+            duplicate: before.duplicate.len() + after.duplicate.len(),
+            cut: before.cut + after.cut,
+            unused: before.unused + after.unused,
+            reversed: winding.reversed,
+            backs: winding.backs.len(),
+            decimated,
+            decimation_error,
+            scale: exact.scale,
+            extent: rounded.grid.extent,
+            error: rounded.error,
+            fetches,
+        }
+    }
+}
+
 /// How the faces hang together: an edge belongs to two faces that run along it in opposite directions where a surface is
 /// closed and oriented.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
@@ -171,22 +200,6 @@ impl ImportedMesh {
 }
 
 impl ImportedMesh {
-    /// The plane of each face: n·v for its normal n and a vertex v, in 2⁻¹⁴ of the power of two that bounds the coordinates, rounded
-    /// to nearest. It is what `pinhole::Mesh::face_planes` finds; a build script does without that crate.
-    pub(crate) fn find_planes(&self) -> Vec<i16> {
-        let bits = |c: i16| (c ^ (c >> 15)) as u16;
-        let bound = self.vertices.iter().flatten().fold(0, |all, &c| all | bits(c));
-        // Brings coordinates to the top of 32 bits: a product with a normal of 2¹⁵ is at most 2⁴⁶.
-        let shift = u32::from(bound).leading_zeros() - 1;
-        let plane = |(face, normal): (&[u16; 3], &[i16; 3])| {
-            let corner = self.vertices[usize::from(face[0])];
-            let along: i64 = corner.iter().zip(normal).map(|(&c, &n)| i64::from(c) * i64::from(n)).sum();
-            let rounded = ((along << shift) + (1 << 31)) >> 32;
-            rounded.clamp(i64::from(i16::MIN), i64::from(i16::MAX)) as i16
-        };
-        self.faces.iter().zip(&self.normals).map(plane).collect()
-    }
-
     /// Whether clusters follow the planes.
     pub(crate) fn has_clusters(&self) -> bool {
         self.planes.len() > self.faces.len()
@@ -210,34 +223,26 @@ impl ImportedMesh {
         format!("{vertices} vertices, {faces} faces, {edges} edges; {} bytes of flash", self.flash_bytes())
     }
 
-    /// A warning, if the mesh takes more flash than many microcontrollers have.
-    pub(crate) fn large(&self) -> Option<Warning> {
+    /// Warnings, if the mesh is larger than microcontrollers, draw calls or worlds are.
+    pub(crate) fn doubts(&self) -> Vec<Warning> {
+        // More flash than many microcontrollers have, and, for the picture, more than a small one can spare.
         const MANY: usize = 128 << 10;
-        let (bytes, edges) =
-            (self.flash_bytes(), size_of_val(&self.edges[..]) + size_of_val(&self.edge_faces[..]));
-        let rest = (bytes - edges).max(1) / self.faces.len().max(1);
-        (bytes > MANY).then_some(Warning::Flash { bytes, edges, faces: MANY / rest.max(1) })
-    }
-
-    /// A warning, if the picture takes more flash than a small microcontroller can spare.
-    pub(crate) fn large_picture(&self) -> Option<Warning> {
-        const MANY: usize = 16 << 10;
-        let picture = self.picture.as_ref()?;
-        let bytes = picture.flash_bytes();
-        (bytes > MANY).then_some(Warning::PictureFlash { size: [picture.width, picture.height], bytes })
-    }
-
-    /// A warning, if the mesh has more faces than `pinhole::draw::TransformedMesh::bin_faces` takes.
-    pub(crate) fn too_many_for_bands(&self) -> Option<Warning> {
-        let count = self.faces.len();
-        (count > MOST_FACES).then_some(Warning::ManyFaces { count })
-    }
-
-    /// A warning, if the mesh is larger than the world in which it is drawn.
-    pub(crate) fn larger_than_the_world(&self) -> Option<Warning> {
-        let extent = self.report.extent as u64;
-        // A mesh with larger steps is refused, with a message of its own.
-        (extent > 1 << 16 && self.exponent <= 15).then_some(Warning::Extent { extent })
+        const MANY_OF_PICTURE: usize = 16 << 10;
+        let (bytes, count, extent) = (self.flash_bytes(), self.faces.len(), self.report.extent as u64);
+        let edges = size_of_val(&self.edges[..]) + size_of_val(&self.edge_faces[..]);
+        let faces = MANY / ((bytes - edges).max(1) / count.max(1)).max(1);
+        let picture =
+            self.picture.as_ref().map(|picture| ([picture.width, picture.height], picture.flash_bytes()));
+        let picture = picture.filter(|&(_, bytes)| bytes > MANY_OF_PICTURE);
+        let warnings = vec![
+            (bytes > MANY).then_some(Warning::Flash { bytes, edges, faces }),
+            picture.map(|(size, bytes)| Warning::PictureFlash { size, bytes }),
+            // More than `pinhole::draw::TransformedMesh::bin_faces` takes.
+            (count > MOST_FACES).then_some(Warning::ManyFaces { count }),
+            // A mesh with larger steps is refused, with a message of its own.
+            (extent > 1 << 16 && self.exponent <= 15).then_some(Warning::Extent { extent }),
+        ];
+        warnings.into_iter().flatten().collect()
     }
 
     /// The faces without the backs of others.

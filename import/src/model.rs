@@ -1,7 +1,7 @@
 //! The result of a reader: triangles, where each is in the file, and doubtful points.
 
 use crate::materials::Pictures;
-use crate::{Place, Triangles, Warning};
+use crate::{Place, Problem, Triangles, Warning};
 use std::path::PathBuf;
 
 /// A model as it is in its file.
@@ -22,6 +22,23 @@ pub(crate) struct Model {
     pub(crate) files: Vec<PathBuf>,
 }
 
+impl Model {
+    /// Refuses a model that is invalid, or has nothing to draw.
+    pub(crate) fn check(&self) -> Result<(), Problem> {
+        let Triangles { positions, faces } = &self.triangles;
+        if faces.iter().flatten().any(|&i| i >= positions.len()) {
+            return Err(Problem::NoSuchVertex);
+        }
+        if positions.iter().flatten().any(|c| !c.is_finite()) {
+            return Err(Problem::NotFinite);
+        }
+        if faces.is_empty() && self.lines.is_empty() {
+            return Err(Problem::NoFaces);
+        }
+        Ok(())
+    }
+}
+
 /// Colours of triangles.
 #[derive(Debug, Default)]
 pub(crate) struct Colors {
@@ -31,6 +48,13 @@ pub(crate) struct Colors {
     pub(crate) emission: Vec<[u8; 3]>,
     /// The colour of each triangle.
     pub(crate) faces: Vec<u8>,
+}
+
+impl Colors {
+    /// For each triangle its item of a list that has one for each colour, or is empty.
+    pub(crate) fn of_faces(&self, list: &[[u8; 3]]) -> Vec<[u8; 3]> {
+        self.faces.iter().filter_map(|&color| list.get(usize::from(color)).copied()).collect()
+    }
 }
 
 /// Texture coordinates in sides of the texture, u to the right and v down, and those of each triangle's corners.
@@ -65,5 +89,5 @@ impl Places {
     }
 }
 
-/// The place of a triangle that is none of the file's.
+/// The number of a triangle or vertex that is none of the file's.
 pub(crate) const NOWHERE: usize = usize::MAX;

@@ -49,15 +49,13 @@ fn statement(line: &str, materials: &mut Vec<(String, Material)>) -> Result<(), 
         "ke" => material?.emission = Some(color(rest)?),
         "map_kd" => material?.picture = picture(rest).map(str::to_owned),
         "d" => {
-            let material = material?;
-            let is_transparent = last_number(rest).map(|opacity| opacity < 1.0);
-            material.is_transparent = is_transparent.or(material.is_transparent);
+            let is_transparent = &mut material?.is_transparent;
+            *is_transparent = last_number(rest).map(|opacity| opacity < 1.0).or(*is_transparent);
         }
         // Some programs write both, and mean the opacity by both.
         "tr" => {
-            let material = material?;
-            let is_transparent = last_number(rest).map(|transparency| transparency > 0.0);
-            material.is_transparent = material.is_transparent.or(is_transparent);
+            let is_transparent = &mut material?.is_transparent;
+            *is_transparent = is_transparent.or(last_number(rest).map(|transparency| transparency > 0.0));
         }
         _ => {}
     }

@@ -18,17 +18,7 @@ fn about_one(vector: [f64; 3]) -> [f64; 3] {
     let largest = vector.iter().fold(0.0f64, |largest, c| c.abs().max(largest));
     // Without its mantissa; what is too small to be divided by stays.
     let power = f64::from_bits(largest.to_bits() & f64::INFINITY.to_bits());
-    if power.is_normal() {
-        vector.map(|c| c / power)
-    } else {
-        vector
-    }
-}
-
-/// The cosine of the angle between two vectors that are not zero.
-pub(crate) fn cosine(a: [i64; 3], b: [i64; 3]) -> f64 {
-    let (a, b) = (direction(a), direction(b));
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+    vector.map(|c| if power.is_normal() { c / power } else { c })
 }
 
 /// The angle between two vectors that are not zero, in degrees: exact where it is 0, 90 or 180.
@@ -47,18 +37,18 @@ pub(crate) fn unit(vector: [i64; 3]) -> [i16; 3] {
 
 /// For each vertex the mean of its faces' normals, weighted by the angle of the face there (Thürmer and Wüthrich 1998).
 /// Where they cancel, as on both sides of a sheet, the normal of the first face.
-pub(crate) fn of_vertices(vertices: &[[i16; 3]], faces: &[[u16; 3]], crosses: &[[i64; 3]]) -> Vec<[i16; 3]> {
-    let mut sums = vec![[0.0; 3]; vertices.len()];
-    let mut first = vec![None; vertices.len()];
+pub(crate) fn of_vertices(points: &[[i16; 3]], faces: &[[usize; 3]], crosses: &[[i64; 3]]) -> Vec<[i16; 3]> {
+    let mut sums = vec![[0.0; 3]; points.len()];
+    let mut first = vec![None; points.len()];
     for (face, &cross) in faces.iter().zip(crosses) {
         let normal = direction(cross);
-        let at = face.map(|i| vertices[usize::from(i)].map(i64::from));
+        let at = face.map(|vertex| points[vertex].map(i64::from));
         for corner in 0..3 {
-            let vertex = usize::from(face[corner]);
+            let vertex = face[corner];
             let [here, one, other] = [at[corner], at[(corner + 1) % 3], at[(corner + 2) % 3]];
-            let side = |to: [i64; 3]| [0, 1, 2].map(|axis| to[axis] - here[axis]);
+            let [u, v] = [one, other].map(|to| direction([0, 1, 2].map(|axis| to[axis] - here[axis])));
             // acos loses half the digits at small angles; that is a weight's error of 1e-8.
-            let angle = cosine(side(one), side(other)).clamp(-1.0, 1.0).acos();
+            let angle = (u[0] * v[0] + u[1] * v[1] + u[2] * v[2]).clamp(-1.0, 1.0).acos();
             for axis in 0..3 {
                 sums[vertex][axis] += angle * normal[axis];
             }

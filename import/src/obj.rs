@@ -2,7 +2,7 @@
 
 use crate::beside::Beside;
 use crate::materials;
-use crate::model::{Model, Places, TextureFaces};
+use crate::model::{Model, Places, TextureFaces, NOWHERE};
 use crate::polygon::{self, Triangulated};
 use crate::text::{self, a_vertex_needs_numbers, before_comment, is_utf16, text, without_end};
 use crate::weld::Names;
@@ -86,10 +86,7 @@ pub(crate) fn read(bytes: &[u8], beside: &Beside<'_>) -> Result<Model, ImportErr
     if let Some(&line) = crossing.iter().min() {
         model.warnings.push(Warning::Crossing { count: crossing.len(), first: Place::Line(line as usize) });
     }
-    let own = match options.materials_only {
-        true => Vec::new(),
-        false => means(&colors, &model.triangles.faces),
-    };
+    let own = if options.materials_only { Vec::new() } else { means(&colors, &model.triangles.faces) };
     let of_materials = (&read.materials[..], &of_materials[..]);
     (model.colors, model.pictures, model.files) =
         materials::read(of_materials, own, &read.libraries, beside, &mut model.warnings);
@@ -142,8 +139,6 @@ struct Corner {
     /// The number of the texture coordinate, if the corner names one.
     coord: Option<usize>,
 }
-
-const NOWHERE: usize = usize::MAX;
 
 impl Statements {
     /// Reads all lines. A face may name vertices further down, so its indices are not compared with the number of vertices.

@@ -141,40 +141,27 @@ impl Options {
 
     /// Refuses numbers out of range and options that exclude each other.
     pub(crate) fn check(&self) -> Result<(), Problem> {
-        if self.fit.is_some_and(|side| !(side.is_finite() && side > 0.0)) {
-            return Err(Problem::Options("the length to fit is not a positive number"));
-        }
-        if self.step.is_some() && self.exponent().is_none() {
-            return Err(Problem::Options("the step is not a power of two from 2^-32 to 2^15"));
-        }
+        let refuse = |is_wrong: bool, what| if is_wrong { Err(Problem::Options(what)) } else { Ok(()) };
+        let is_length = |side: f64| side.is_finite() && side > 0.0;
+        refuse(!self.fit.is_none_or(is_length), "the length to fit is not a positive number")?;
+        let has_no_exponent = self.step.is_some() && self.exponent().is_none();
+        refuse(has_no_exponent, "the step is not a power of two from 2^-32 to 2^15")?;
         if let Edges::Feature { degrees } | Edges::CreasesFirst { degrees } = self.edges {
-            if !(0.0..=180.0).contains(&degrees) {
-                return Err(Problem::Options("the feature angle is not between 0 and 180 degrees"));
-            }
+            let is_angle = (0.0..=180.0).contains(&degrees);
+            refuse(!is_angle, "the feature angle is not between 0 and 180 degrees")?;
         }
-        if self.decimate == Some(0) {
-            return Err(Problem::Options("no triangles would be left"));
-        }
+        refuse(self.decimate == Some(0), "no triangles would be left")?;
         if self.clusters && !cfg!(feature = "clusters") {
             return Err(Problem::NoClusters);
         }
-        if (self.planes || self.clusters) && !self.normals {
-            return Err(Problem::Options("planes belong to the normals of faces: ask for these too"));
+        let lack_normals = (self.planes || self.clusters) && !self.normals;
+        refuse(lack_normals, "planes belong to the normals of faces: ask for these too")?;
+        if let Some(TextureFormat { colors, color, .. }) = &self.texture {
+            refuse(!matches!(colors, 2 | 4 | 16 | 256), "a texture has 2, 4, 16 or 256 colours")?;
+            refuse(crate::picture::channels(color).is_none(), "the colour type of a texture is none of Rgb555, Bgr555, Rgb565, Bgr565, Rgb666, Bgr666, Rgb888, Bgr888, Gray2, Gray4, Gray8")?;
         }
-        if let Some(texture) = &self.texture {
-            if !matches!(texture.colors, 2 | 4 | 16 | 256) {
-                return Err(Problem::Options("a texture has 2, 4, 16 or 256 colours"));
-            }
-            if crate::picture::channels(&texture.color).is_none() {
-                return Err(Problem::Options(
-                    "the colour type of a texture is none of Rgb555, Bgr555, Rgb565, Bgr565, Rgb666, Bgr666, Rgb888, Bgr888, Gray2, Gray4, Gray8",
-                ));
-            }
-        }
-        if self.edge_faces && self.edges == Edges::None {
-            return Err(Problem::Options("the faces beside edges belong to edges: ask for these too"));
-        }
-        Ok(())
+        let lack_edges = self.edge_faces && self.edges == Edges::None;
+        refuse(lack_edges, "the faces beside edges belong to edges: ask for these too")
     }
 }
 

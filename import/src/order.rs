@@ -4,36 +4,41 @@
 //! gathers for each face are the transformed corners, 8 bytes each. Where the memory has a cache (external RAM, flash behind
 //! a prefetcher), a corner used a moment ago costs nothing.
 
+use crate::surface::{Surface, MOST_VERTICES};
+use crate::{clusters, Options, Step};
+
 /// Corners that the orders are judged and made for: 128 bytes of them, a few lines of a small cache.
 const CACHE: usize = 16;
 
-/// Orders faces, the data of each face, and vertices, if that lowers the number of fetches. Returns this number per face.
-pub(crate) fn reorder<S: Copy>(
-    faces: &mut Vec<[usize; 3]>,
-    sources: &mut Vec<S>,
-    vertices: &mut Vec<[i16; 3]>,
-) -> f64 {
-    let places = by_neighbours(faces, vertices.len());
-    let ordered: Vec<[usize; 3]> = places.iter().map(|&place| faces[place]).collect();
-    let (before, after) = (fetches(faces, vertices.len()), fetches(&ordered, vertices.len()));
-    if after >= before {
-        return before;
+/// Orders faces and vertices as the options say, by neighbours if that lowers the fetches. Returns those before and after.
+pub(crate) fn order(surface: &mut Surface, options: &Options, begins: &mut dyn FnMut(Step)) -> [f64; 2] {
+    let fetched = |surface: &Surface| fetches(&surface.faces, surface.vertices.len());
+    let before = fetched(surface);
+    if surface.vertices.len() > MOST_VERTICES {
+        return [before; 2]; // refused later
     }
-    put(&places, faces, sources, vertices);
-    after
+    if options.reorder {
+        begins(Step::Order);
+        let places = by_neighbours(&surface.faces, surface.vertices.len());
+        let ordered: Vec<[usize; 3]> = places.iter().map(|&place| surface.faces[place]).collect();
+        if fetches(&ordered, surface.vertices.len()) < before {
+            put(&places, surface);
+        }
+    }
+    if cfg!(feature = "clusters") && options.clusters {
+        put(&clusters::order(&surface.faces, &surface.vertices), surface);
+    }
+    [before, fetched(surface)]
 }
 
-/// Puts faces and their data into an order, and vertices into that of their first use.
-pub(crate) fn put<S: Copy>(
-    places: &[usize],
-    faces: &mut Vec<[usize; 3]>,
-    sources: &mut Vec<S>,
-    vertices: &mut Vec<[i16; 3]>,
-) {
+/// Puts faces into an order, and vertices into that of their first use.
+fn put(places: &[usize], surface: &mut Surface) {
+    let Surface { vertices, faces, triangles, coords, .. } = surface;
     let ordered: Vec<[usize; 3]> = places.iter().map(|&place| faces[place]).collect();
     let new = by_first_use(&ordered, vertices.len());
     *faces = ordered.into_iter().map(|face| face.map(|v| new[v])).collect();
-    *sources = places.iter().map(|&place| sources[place]).collect();
+    *triangles = places.iter().map(|&place| triangles[place]).collect();
+    *coords = places.iter().filter_map(|&place| coords.get(place).copied()).collect();
     let mut moved = vec![[0; 3]; vertices.len()];
     for (vertex, &place) in vertices.iter().zip(&new) {
         moved[place] = *vertex;
@@ -123,7 +128,7 @@ impl Around {
 
 /// How many vertices a face fetches, on average, with a first-in-first-out cache of [`CACHE`] of them: 3 at worst, about
 /// ½ at best in a large closed mesh, which has half as many vertices as faces.
-pub(crate) fn fetches(faces: &[[usize; 3]], vertices: usize) -> f64 {
+fn fetches(faces: &[[usize; 3]], vertices: usize) -> f64 {
     let mut entered = vec![0; vertices];
     let mut clock = CACHE + 1;
     let start = clock;

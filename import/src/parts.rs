@@ -172,3 +172,8 @@ impl Parts {
         (faces.count() + usize::from(first.is_some()), first)
     }
 }
+
+/// The corners of a triangle that is turned over; the first stays.
+pub(crate) fn reversed<T>([a, b, c]: [T; 3]) -> [T; 3] {
+    [a, c, b]
+}

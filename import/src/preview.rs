@@ -2,7 +2,7 @@
 
 use crate::normals::on_one_line;
 use crate::{
-    fits, quantise, read_model, Axis, ImportError, ImportedMesh, Options, Problem, Triangles, Warning,
+    fits, pipeline, read_model, Axis, ImportError, ImportedMesh, Options, Problem, Triangles, Warning,
 };
 use std::path::{Path, PathBuf};
 
@@ -52,13 +52,11 @@ pub fn preview(file: &Path, options: &Options) -> Result<Preview, ImportError> {
     let options = Options { reorder: false, decimate: None, ..options.clone() };
     let up = options.up.unwrap_or(Axis::of_file(file));
     let model = read_model(file, &options)?;
-    let made = quantise::make(model, up, &options, &mut |_| ()).map_err(|problem| problem.at(file, None))?;
-    let mesh = made.mesh.and_then(fits);
-    let mut warnings = made.warnings;
-    if let Err(problem) = &mesh {
-        warnings.push(problem.as_warning());
-    }
-    Ok(Preview { mesh, warnings, ..made })
+    let mut made =
+        pipeline::make(model, up, &options, &mut |_| ()).map_err(|problem| problem.at(file, None))?;
+    made.mesh = made.mesh.and_then(fits);
+    made.warnings.extend(made.mesh.as_ref().err().map(Problem::as_warning));
+    Ok(made)
 }
 
 impl Triangles {

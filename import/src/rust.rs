@@ -45,9 +45,7 @@ impl ImportedMesh {
             "/// `{file}`: {}.\n\
              ///\n\
              /// A position in model units is vertex · 2^{}{}; the longest side is {}, the largest error of a\n\
-             /// coordinate by quantising {}.\n\
-             #[rustfmt::skip]\n\
-             #[allow(dead_code, unreachable_pub)] // what is not used is not in the flash\n\
+             /// coordinate by quantising {}.\n{KEPT}\
              pub const {name}: pinhole::Mesh<'static> = {{\n",
             self.size(),
             self.exponent,
@@ -200,29 +198,18 @@ impl ImportedMesh {
             self.report.extent,
             self.report.error,
         );
-        list(
-            &mut out,
-            "Vertices: a position in model units is `vertex * 2^EXPONENT + OFFSET`.",
-            "VERTICES: [[i16; 3]",
-            &self.vertices,
-        );
-        let _ = writeln!(
-            out,
-            "/// The step of the vertices, as a power of two.\npub const EXPONENT: i8 = {};\n",
-            self.exponent
-        );
+        let doc = "Vertices: a position in model units is `vertex * 2^EXPONENT + OFFSET`.";
+        list(&mut out, doc, "VERTICES: [[i16; 3]", &self.vertices);
+        constant(&mut out, "The step of the vertices, as a power of two.", "EXPONENT: i8", self.exponent);
         list(&mut out, "Faces, counter-clockwise seen from outside.", "FACES: [[u16; 3]", &self.faces);
-        let edges_doc = if self.edge_faces.is_empty() {
-            "Edges, each once."
-        } else {
-            "Edges, once for every two faces beside them."
+        let doc = match self.edge_faces.is_empty() {
+            true => "Edges, each once.",
+            false => "Edges, once for every two faces beside them.",
         };
-        list(&mut out, edges_doc, "EDGES: [[u16; 2]", &self.edges);
+        list(&mut out, doc, "EDGES: [[u16; 2]", &self.edges);
         if let Some(creases) = self.creases {
-            let _ = writeln!(
-                out,
-                "/// The number of creases and borders, the first edges.\npub const CREASES: usize = {creases};\n"
-            );
+            let doc = "The number of creases and borders, the first edges.";
+            constant(&mut out, doc, "CREASES: usize", creases);
         }
         let doc = "The two faces beside each edge; 65535 is none.";
         list_if_any(&mut out, doc, "EDGE_FACES: [[u16; 2]", &self.edge_faces);
@@ -246,11 +233,8 @@ impl ImportedMesh {
             list(&mut out, doc, "TEXTURE_COORDS: [[i16; 2]", &self.texture_coords);
             let doc = "The texture coordinates of each face's corners.";
             list(&mut out, doc, "TEXTURE_FACES: [[u16; 3]", &self.texture_faces);
-            let _ = writeln!(
-                out,
-                "/// The unit of the texture coordinates, as a power of two.\npub const TEXTURE_EXPONENT: i8 = {};\n",
-                self.texture_exponent
-            );
+            let doc = "The unit of the texture coordinates, as a power of two.";
+            constant(&mut out, doc, "TEXTURE_EXPONENT: i8", self.texture_exponent);
         }
         if let Some(picture) = &self.picture {
             let levels = if picture.mip_levels { " in `MipTexels`: first the mip levels" } else { "" };
@@ -258,12 +242,8 @@ impl ImportedMesh {
             list(&mut out, &doc, "TEXELS: [u8", &picture.texels);
             let head = format!("TEXEL_PALETTE: [{}", one_line(&picture.color));
             list(&mut out, "The colours that texels name.", &head, &picture.color_calls());
-            let _ = writeln!(
-                out,
-                "/// Columns and rows of texels.\npub const TEXTURE_SIZE: [usize; 2] = [{}, {}];\n",
-                picture.width,
-                picture.rows()
-            );
+            let size = format!("[{}, {}]", picture.width, picture.rows());
+            constant(&mut out, "Columns and rows of texels.", "TEXTURE_SIZE: [usize; 2]", size);
         }
         if let Some([x, y, z]) = self.offset_bits() {
             let _ = writeln!(
@@ -322,6 +302,11 @@ impl<T: Display, const N: usize> Element for [T; N] {
         }
         out.push(']');
     }
+}
+
+/// Writes a constant.
+fn constant(out: &mut String, doc: &str, head: &str, value: impl Display) {
+    let _ = writeln!(out, "/// {doc}\npub const {head} = {value};\n");
 }
 
 /// Writes a constant that is an array, as many elements to a line as fit.

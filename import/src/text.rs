@@ -112,14 +112,8 @@ mod tests {
         for text in ["", ".", "-", "e5", "1e", "1.2.3", "1,5", "0x1", "1e5.0", " 1", "--1", "1_0"] {
             assert_eq!((number(text), text.parse::<f64>().ok()), (None, None), "{text}");
         }
-        for text in [
-            "1e25",
-            "123456789012345678901234567890",
-            "1.5E-30",
-            "0.1234567890123456789012345",
-            "7e-300",
-            "0e999",
-        ] {
+        let long = ["123456789012345678901234567890", "0.1234567890123456789012345"];
+        for text in ["1e25", "1.5E-30", "7e-300", "0e999"].into_iter().chain(long) {
             let (found, expected) =
                 (number(text).unwrap_or(f64::NAN), text.parse::<f64>().unwrap_or_default());
             assert!((found - expected).abs() <= expected * 1e-14, "{text}: {found}");

@@ -6,6 +6,7 @@ use std::hash::{BuildHasherDefault, Hasher};
 
 /// The mesh after welding: for each new vertex the index of an old one, and the faces. New vertices are numbered in the order in
 /// which the faces use them first.
+#[derive(Default)]
 pub(crate) struct Welded {
     pub(crate) vertices: Vec<usize>,
     pub(crate) faces: Vec<[usize; 3]>,
@@ -40,15 +41,10 @@ pub(crate) fn weld(
     let mut new_index = vec![None; keys.len()];
     let mut seen = Numbered::with_capacity_and_hasher(faces.len(), BuildHasherDefault::default());
     let mut out = Welded {
-        vertices: Vec::new(),
         faces: Vec::with_capacity(faces.len()),
         sources: Vec::with_capacity(faces.len()),
-        pieces: Vec::new(),
         welded: keys.len() - first_with.len(),
-        unused: 0,
-        degenerate: Vec::new(),
-        duplicate: Vec::new(),
-        cut: 0,
+        ..Welded::default()
     };
     let (mut with_area, mut slivers) = (Vec::with_capacity(faces.len()), Vec::new());
     for (place, face) in faces.iter().enumerate() {
@@ -127,13 +123,7 @@ impl Welded {
 
 /// Rotates a triangle's indices so that the smallest comes first: equal triangles of equal winding get equal indices.
 fn smallest_first([a, b, c]: [usize; 3]) -> [usize; 3] {
-    if a < b && a < c {
-        [a, b, c]
-    } else if b < c {
-        [b, c, a]
-    } else {
-        [c, a, b]
-    }
+    [a, b, c].min([b, c, a]).min([c, a, b])
 }
 
 /// The key of a map: the bits of a vertex's coordinates, or the vertices of an edge and 0.

@@ -385,7 +385,7 @@ fn a_plane_loses_triangles_and_nothing_else() {
 #[cfg(feature = "decimate")]
 #[test]
 fn what_is_not_reduced_as_far_as_wanted_is_said_and_only_that() {
-    // Sixteen triangles, each on its own: here all but four go. No shape is known that keeps more than was wanted.
+    // Sixteen triangles, each on its own: here all but four go.
     let mut text = String::new();
     for i in 0..16 {
         text += &format!("v {} 0 0\nv {} 0 0\nv {} 1 0\nf -3 -2 -1\n", 2 * i, 2 * i + 1, 2 * i);
@@ -393,6 +393,20 @@ fn what_is_not_reduced_as_far_as_wanted_is_said_and_only_that() {
     let mesh = obj(&text, &Options { decimate: Some(4), ..Options::default() }).unwrap();
     let said = mesh.warnings.iter().any(|w| w.to_string().contains("the shape allows no fewer"));
     assert_eq!(said, mesh.faces.len() > 4, "{} {:?}", mesh.faces.len(), mesh.warnings);
+}
+
+#[cfg(feature = "decimate")]
+#[test]
+fn colours_are_left_out_even_if_no_triangle_can_be_taken_away() {
+    // All triangles between five points: each edge has three.
+    let mut text = String::from("v 0 0 0\nv 4 0 0\nv 0 4 0\nv 0 0 4\nv 1 1 1\n").replace('\n', " 1 0 0\n");
+    for (a, b, c) in (1..6).flat_map(|a| (1..a).flat_map(move |b| (1..b).map(move |c| (a, b, c)))) {
+        text += &format!("f {a} {b} {c}\n");
+    }
+    let mesh = obj(&text, &Options { decimate: Some(1), two_sided: true, ..Options::default() }).unwrap();
+    assert_eq!((mesh.faces.len() - mesh.report.backs, mesh.report.decimated), (10, 0));
+    assert_eq!(mesh.warnings, [Warning::DecimatedLess { faces: 10 }, Warning::DecimatedMaterials]);
+    assert!(mesh.face_colors.is_empty());
 }
 
 #[cfg(feature = "decimate")]
