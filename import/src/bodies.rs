@@ -25,12 +25,14 @@ impl Body {
         self.triangles.push(triangle);
     }
 
-    /// The volume between the triangles and the centre of the bounding box. Exactly zero where it is: sums are of integers.
+    /// The volume between the triangles and the mean of their corners, which lies in a flat sheet, too. Exactly zero where it is, for a
+    /// closed body: sums are of integers.
     pub(crate) fn volume(&self) -> f64 {
-        let low = self.low.unwrap_or_default();
-        let twice = [0, 1, 2].map(|axis| i64::from(low[axis]) + i64::from(self.high[axis]));
+        let corners = self.triangles.as_flattened();
+        let sum = |axis: usize| corners.iter().map(|corner| i64::from(corner[axis])).sum::<i64>();
+        let twice = [0, 1, 2].map(|axis| 2 * sum(axis) / corners.len().max(1) as i64);
         let six_tetrahedra = |triangle: &[[i16; 3]; 3]| {
-            // From the centre, in half units: 17 bits, products of 51, six of them.
+            // From the mean, in half units: 17 bits, products of 51, six of them.
             let [a, b, c] = triangle.map(|v| [0, 1, 2].map(|axis| 2 * i64::from(v[axis]) - twice[axis]));
             let minor = |i: usize, j: usize| b[i] * c[j] - b[j] * c[i];
             i128::from(a[0] * minor(1, 2) + a[1] * minor(2, 0) + a[2] * minor(0, 1))

@@ -3,8 +3,10 @@
 //! Seen along its normal (Newell's), a polygon is cut in integers, so nothing is lost to rounding: its corners are put on a grid of
 //! 2⁻³⁹ of its longest side first.
 //!
-//! **No triangles overlap.** Triangles whose sides add up to the polygon's sides, others being run along in both directions, cover
-//! each point as often as the polygon winds around it. So if all are counter-clockwise, as the polygon is, they cover it once.
+//! **No triangles overlap** unless sides cross. Triangles whose sides add up to the polygon's sides, others being run along in both
+//! directions, cover each point as often as the polygon winds around it: once, if all are counter-clockwise and no sides cross. Of a polygon
+//! that winds around its first corner more than once that is noticed; of one that returns over itself elsewhere, as a spiral ramp seen from
+//! above, it is not.
 
 use crate::boxes::{flat, Bounds, Boxes};
 
@@ -33,7 +35,14 @@ pub(crate) fn triangulate(corners: &[[f64; 3]]) -> Triangulated {
     let points = projected(corners);
     let is_turned = |corner: usize| turn([points[0], points[corner - 1], points[corner]]) < -ROUNDING;
     if !(2..points.len()).any(is_turned) {
-        return Triangulated { triangles: fan(), overlap: false };
+        // More than once around the first corner: beyond the first side, and then before it again.
+        let mut beyond = false;
+        let overlap = points.iter().any(|&point| {
+            let side = turn([points[0], points[1], point]);
+            beyond |= side < -ROUNDING;
+            beyond && side > ROUNDING
+        });
+        return Triangulated { triangles: fan(), overlap };
     }
     match Ring::of(&points).ears() {
         Some(triangles) => Triangulated { triangles, overlap: false },
