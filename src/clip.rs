@@ -35,7 +35,7 @@ pub(crate) trait ClipCorners {
 }
 
 /// Linear interpolation `a + (b − a)·t·2⁻³¹`, rounded to nearest, for 0 ≤ t < 2³¹.
-#[inline(never)] // rare path: code size counts, speed does not
+#[inline(never)] // rare path: code size counts
 fn lerp(a: i32, b: i32, t: i32) -> i32 {
     let difference = i64::from(b) - i64::from(a); // 33 bits signed, times 31: below 2⁶³
     let moved = (difference * i64::from(t) + (1 << 30)) >> 31;
@@ -118,7 +118,7 @@ impl Varying for Barycentric {
 /// Stores the intersection of an edge with a plane in slot `at`. It is computed from the inside end, so that both faces at an
 /// edge get the same point. The parameter has 31 bits and each coordinate is rounded to nearest: within one unit plus 2⁻³¹ of
 /// the edge's extent.
-#[inline(never)] // rare path: code size counts, speed does not
+#[inline(never)] // rare path: code size counts
 fn intersect_edge(corners: &mut impl ClipCorners, plane: usize, at: usize, inside: usize, outside: usize) {
     // 0 ≤ `within`, outside < 0, `within` + |outside| < 2⁶²: t in 2⁻³¹, below 1. A corner on the screen may lie up to half a sub-pixel
     // outside of the guard band: its distance counts as 0.
@@ -224,9 +224,9 @@ mod tests {
     use super::*;
     use crate::math::random::mixed;
 
-    /// Corners with x, y, z, w, and two weights in 2⁻³⁰, clipped against −w ≤ x, y, z ≤ w.
+    /// Corners with x, y, z, w, and two weights in 2⁻³⁰, clipped against −w ≤ x, y, z ≤ w; and whether corner 0 counts as inside.
     #[derive(Clone, Copy)]
-    struct Volume([[i32; 6]; CLIP_SLOTS]);
+    struct Volume([[i32; 6]; CLIP_SLOTS], bool);
 
     fn distances([x, y, z, w, ..]: [i32; 6]) -> [i64; PLANES] {
         let [x, y, z, w] = [x, y, z, w].map(i64::from);
@@ -239,6 +239,9 @@ mod tests {
         }
 
         fn planes_outside(&self, at: usize) -> u32 {
+            if self.1 && at == 0 {
+                return 0;
+            }
             distances(self.0[at]).iter().rev().fold(0, |planes, &d| planes << 1 | u32::from(d < 0))
         }
 
@@ -268,7 +271,7 @@ mod tests {
         for (i, [x, y, z, w]) in points.into_iter().enumerate() {
             slots[i] = [x, y, z, w, i32::from(i == 1) << 30, i32::from(i == 2) << 30];
         }
-        Volume(slots)
+        Volume(slots, false)
     }
 
     /// The part of a segment that lies in the volume, as parameters, by Liang and Barsky's algorithm in f64.
@@ -286,40 +289,18 @@ mod tests {
         (first <= last).then_some((first, last))
     }
 
-    /// Corner 0 is on the screen: it counts as inside of all planes.
-    struct OnScreen(Volume);
-
-    impl ClipCorners for OnScreen {
-        fn distance(&self, plane: usize, at: usize) -> i64 {
-            self.0.distance(plane, at)
-        }
-
-        fn planes_outside(&self, at: usize) -> u32 {
-            if at == 0 {
-                0
-            } else {
-                self.0.planes_outside(at)
-            }
-        }
-
-        fn put(&mut self, at: usize, inside: usize, outside: usize, t: i32) {
-            self.0.put(at, inside, outside, t);
-        }
-    }
-
-    /// A corner on the screen may be rounded to there from just outside of a plane. What is cut off from it begins at this corner.
+    /// A corner on the screen may be rounded to there from outside: what is cut off from it begins there.
     #[test]
     fn what_leaves_from_just_outside_is_cut_there() {
         for beyond in [0, 1, 3] {
             let corner = [(1 << 20) + beyond, 5, 7, 1 << 20];
-            let outside = [[1 << 23, 1, 2, 1 << 21], [1 << 22, 900, -4, 1 << 20]];
-            let mut line = OnScreen(volume([corner, outside[0], [0; 4]]));
+            let slots = volume([corner, [1 << 23, 1, 2, 1 << 21], [1 << 22, 900, -4, 1 << 20]]).0;
+            let (mut line, mut triangle) = (Volume(slots, true), Volume(slots, true));
             assert_eq!(clip_line(&mut line), Some(true));
-            assert_eq!(line.0 .0[1][..4], corner);
-            let (mut triangle, mut order) =
-                (OnScreen(volume([corner, outside[0], outside[1]])), SlotOrder::new());
+            assert_eq!(line.0[1][..4], corner);
+            let mut order = SlotOrder::new();
             assert!(clip_triangle(&mut triangle, &mut order));
-            assert!(order.iter().all(|&at| triangle.0 .0[usize::from(at)][..4] == corner), "{order:?}");
+            assert!(order.iter().all(|&at| triangle.0[usize::from(at)][..4] == corner), "{order:?}");
         }
     }
 

@@ -23,7 +23,7 @@ impl Borders {
     /// The four numbers of a form are off by a half, which coordinates up to 2¹⁵ multiply, and 2¹⁵ for the offset.
     const MARGIN: i32 = 4 << 14;
 
-    #[inline(never)] // set-up: code size counts, speed does not
+    #[inline(never)] // set-up: code size counts
     pub(crate) fn new(transform: &VertexTransform) -> Self {
         Self(transform.borders().map(|form| {
             let down = shift_to_fit(bits_of(&form), Self::BITS);

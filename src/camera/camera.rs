@@ -77,7 +77,7 @@ impl Screen {
 impl Camera {
     /// The camera with this view transform, projection and viewport. The near plane always clips; the far plane clips on
     /// [request](Self::with_far_clip).
-    #[inline(never)] // set-up: code size counts, speed does not
+    #[inline(never)] // set-up: code size counts
     pub const fn new(viewing: &ViewTransform, projection: &Projection, viewport: &Viewport) -> Self {
         let area = viewport.area();
         let ((x, y), [cx, cy]) = (viewport.centre(), ScreenVertex::CENTRE);
@@ -127,7 +127,7 @@ impl Camera {
 }
 
 /// `row · factor · 2^exponent` for a factor of at most 23 bits.
-#[inline(never)] // set-up: code size counts, speed does not
+#[inline(never)] // set-up: code size counts
 const fn scaled_row(row: &Row, factor: i32, exponent: i32) -> Row {
     let ([a, b, c], m) = (row.linear, factor as i64); // 30 × 23 bits
     let offset = mul_translation(factor, exponent, row.offset);

@@ -1,4 +1,4 @@
-//! Why a view, a projection or a viewport cannot be set up, or a point has no position on the screen.
+//! Errors of cameras.
 
 /// Why a view, a projection or a viewport cannot be set up, or a point has no position on the screen.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

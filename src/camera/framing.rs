@@ -43,7 +43,7 @@ impl Camera {
     ///
     /// [`CameraError`] if the sphere has no radius, the field of view is out of range, or the eye would be too far from the
     /// sphere or too near for [`Scalar`].
-    #[inline(never)] // set-up: code size counts, speed does not
+    #[inline(never)] // set-up: code size counts
     pub const fn framing(
         sphere: &Sphere,
         viewport: &Viewport,

@@ -43,7 +43,7 @@ impl PlaneEye {
     /// `w = −l_x · (l_y × l_w)`. The determinant of three corners' x, y and w, whose sign is that of the face on the
     /// screen, is the plane through them at this point (the Cauchy–Binet formula; Blinn, *A Homogeneous Formulation for
     /// Lines in 3 Space*, 1977).
-    #[inline(never)] // set-up: code size counts, speed does not
+    #[inline(never)] // set-up: code size counts
     pub(crate) fn new(transform: &VertexTransform) -> Self {
         let forms @ [(x, _), (y, _), (w, _)] = transform.forms();
         // Exact, below 2⁶¹; then 29 bits, half a unit off.

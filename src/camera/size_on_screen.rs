@@ -25,7 +25,7 @@ pub(crate) struct SizeOnScreen {
 
 impl SizeOnScreen {
     /// The factors at the vertices of a mesh in units of 2^`unit`, which `model` places before the camera.
-    #[inline(never)] // set-up: code size counts, speed does not
+    #[inline(never)] // set-up: code size counts
     pub(crate) fn new(camera: &Camera, model: &Affine<Model, World>, unit: i32) -> Self {
         let (m, m_exponent) = model.linear();
         let away = model.offset_from(&camera.eye);

@@ -58,7 +58,7 @@ pub(crate) struct VertexTransform {
 impl VertexTransform {
     /// Composes `model` and `camera` for a mesh whose coordinates are vertex · 2^`exponent`. `justify` is the left shift that
     /// brings its largest coordinate to the top of 32 bits, `narrow` whether coordinates have 16 bits.
-    #[inline(never)] // set-up: code size counts, speed does not
+    #[inline(never)] // set-up: code size counts
     pub(crate) fn new(
         camera: &Camera,
         model: &Affine<Model, World>,
@@ -328,7 +328,7 @@ impl VertexTransform {
 
     /// The clip planes that a point lies outside of: bit i is set if its [`distance`](Self::distance) from plane i is negative.
     /// `far`: whether the far plane clips.
-    #[inline(never)] // rare path: code size counts, speed does not
+    #[inline(never)] // rare path: code size counts
     pub(crate) fn planes_outside(&self, h: &ClipCoords, far: bool) -> u32 {
         let [x, y, d, w] = h.xydw;
         // Most points lie inside the guard band, far from its border: `|x/w| < 2^room` follows from ⌊|x| / 2^down⌋ < w.
@@ -387,7 +387,7 @@ impl VertexTransform {
     }
 
     /// Depth in 2⁻⁵⁹ from d and 1/w, including the half that rounds to 2⁻²⁴.
-    #[inline(never)] // rare path: code size counts, speed does not
+    #[inline(never)] // rare path: code size counts
     fn depth_wide(&self, d: i32, r: Reciprocal) -> i64 {
         let n = r.shift as i32;
         let (numerator, down) = match self.by_d {
@@ -414,7 +414,7 @@ impl VertexTransform {
     /// The signed distance from a clip plane, negative outside, scaled by a positive factor per plane. Planes in order: near,
     /// then left, right, top and bottom of the guard band, then far. Plane 5 (far): below 2⁶², and at most 2⁴⁷ inside if d is
     /// not negative; all other planes: at most 2⁵⁴.
-    #[inline(never)] // rare path: code size counts, speed does not
+    #[inline(never)] // rare path: code size counts
     pub(crate) fn distance(&self, plane: usize, h: &ClipCoords) -> i64 {
         let ([x, y, d, w], [left, top]) = (h.xydw, self.screen.packed_origin);
         // m·w / 2^down + n·v
@@ -453,7 +453,7 @@ pub(crate) type DepthOf = fn(&VertexTransform, i32, Reciprocal) -> i32;
 const SURELY_BEFORE_FAR: i32 = 65_527 << 8;
 
 /// `v · mantissa · 2^shift`, rounded to nearest, plus `more`, clamped to the guard band; for shift < 0 and |more| < 2²⁴.
-#[inline(never)] // rare path: code size counts, speed does not
+#[inline(never)] // rare path: code size counts
 fn quotient(v: i32, mantissa: i32, shift: i32, more: i32) -> i32 {
     const REACH: i64 = GUARD_BAND as i64 * 256;
     (scale(mul_wide(v, mantissa), shift) + i64::from(more)).clamp(-REACH, REACH) as i32

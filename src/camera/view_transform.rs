@@ -212,7 +212,7 @@ impl ViewTransform {
     }
 
     /// From the direction `back` of n and an up vector, both of any length.
-    #[inline(never)] // set-up: code size counts, speed does not
+    #[inline(never)] // set-up: code size counts
     const fn from_axes(eye: Point3<World>, back: &[i64; 3], up: Vector3<World>) -> Result<Self, CameraError> {
         let up = to_i64(up);
         let (n, up_unit) = (normalise(back), normalise(&up));

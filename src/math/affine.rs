@@ -184,7 +184,7 @@ impl<A: SceneSpace, B: SceneSpace> Affine<A, B> {
     /// let place = Affine::<Model, World>::from_frame(a, b, c, Point3::from_ints(10, 0, 0));
     /// assert_eq!(place.apply(Point3::from_ints(1, 3, 5)), Point3::from_ints(15, 2, 3));
     /// ```
-    #[inline(never)] // set-up: code size counts, speed does not
+    #[inline(never)] // set-up: code size counts
     pub fn from_frame(a: Vector3<B>, b: Vector3<B>, c: Vector3<B>, origin: Point3<B>) -> Self {
         let (a, b, c) = (a.bits(), b.bits(), c.bits());
         let row = |i: usize| [a[i], b[i], c[i]].map(i64::from);
@@ -433,7 +433,7 @@ pub(crate) fn to_scalar(v: i64) -> i32 {
 }
 
 /// The matrix product `a · b` of two blocks of 30-bit coefficients into `linear`; returns its exponent.
-#[inline(never)] // set-up: code size counts, speed does not
+#[inline(never)] // set-up: code size counts
 pub(crate) fn matrix_product(
     a: &[[i32; 3]; 3],
     a_exponent: i32,
@@ -449,7 +449,7 @@ pub(crate) fn matrix_product(
 }
 
 /// Rounds sums of products to rows of 30 bits with one exponent.
-#[inline(never)] // set-up: code size counts, speed does not
+#[inline(never)] // set-up: code size counts
 fn rounded_block(sums: &[[i64; 3]; 3], exponent: i32) -> ([[i32; 3]; 3], i32) {
     // Low words, which are overwritten: LLVM would clear an array of zeros by a library function.
     let mut linear = sums.map(|row| row.map(|sum| sum as i32));

@@ -32,7 +32,7 @@ impl Angle {
 
     /// `numerator / denominator` of a turn modulo one turn, rounded to the nearest 2⁻³² turn, ties up (towards larger angles). A
     /// denominator of zero gives [`ZERO`](Self::ZERO).
-    #[inline(never)] // set-up: code size counts, speed does not
+    #[inline(never)] // set-up: code size counts
     pub const fn turns(numerator: i32, denominator: u32) -> Self {
         if denominator == 0 {
             return Self::ZERO;
@@ -75,7 +75,7 @@ impl Angle {
     /// The nearest of 64 table angles per quarter turn and the remainder δ, |δ| ≤ π/256, are combined by the addition theorems,
     /// with `sin δ = δ − δ³/6` and `cos δ = 1 − δ²/2 + δ⁴/24`; the
     /// truncation error of the series is below 2⁻³⁸. (Abramowitz and Stegun, 4.3.16–17, 4.3.65–66.)
-    #[inline(never)] // set-up: code size counts, speed does not
+    #[inline(never)] // set-up: code size counts
     pub const fn sin_cos(self) -> (i32, i32) {
         let within = (self.0 & 0x3fff_ffff) as i32; // the angle within its quadrant
         let index = (within + (1 << 23)) >> 24; // 0 … 64
@@ -135,7 +135,7 @@ impl Angle {
     ///
     /// By CORDIC: the vector is turned by angles whose tangents are powers of two until it lies on the x axis. (Volder, *The
     /// CORDIC trigonometric computing technique*, 1959.)
-    #[inline(never)] // set-up: code size counts, speed does not
+    #[inline(never)] // set-up: code size counts
     pub const fn atan2(y: Scalar, x: Scalar) -> Self {
         let (x, y) = (x.to_bits() as i64, y.to_bits() as i64);
         // A vector on an axis has an exact answer. Others are turned by a whole number of quarter turns to x > 0, y ≥ 0.

@@ -1,4 +1,4 @@
-//! Why a number, a rotation or a transform cannot be made.
+//! Errors of numbers and transforms.
 
 /// Why a number, a rotation or a transform cannot be made.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

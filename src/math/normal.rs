@@ -28,7 +28,7 @@ impl<A, B> Copy for NormalMatrix<A, B> {}
 
 impl<A: SceneSpace, B: SceneSpace> Affine<A, B> {
     /// The normal matrix of this transform.
-    #[inline(never)] // set-up: code size counts, speed does not
+    #[inline(never)] // set-up: code size counts
     pub(crate) fn normals(&self) -> NormalMatrix<A, B> {
         let (linear, _) = self.linear();
         let (mut rows, _) = cofactors(linear);
@@ -54,7 +54,7 @@ impl<A, B> NormalMatrix<A, B> {
     }
 
     /// The transform of normals from `A` to `C`: this one, then the rotation with these rows, in 2⁻³⁰.
-    #[inline(never)] // set-up: code size counts, speed does not
+    #[inline(never)] // set-up: code size counts
     pub(crate) fn rotated<C>(&self, rotation: &[[i32; 3]; 3]) -> NormalMatrix<A, C> {
         let mut rows = [[0; 3]; 3];
         matrix_product(rotation, 0, &self.rows, 0, &mut rows); // the factor of all rows does not matter

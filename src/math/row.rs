@@ -19,7 +19,7 @@ pub(crate) struct Row {
 
 /// Scales sums of products, each below 2⁶², to 30 bits with one exponent, which it returns. Rounded to nearest: each coefficient is within 2⁻³⁰
 /// of the block's largest (2⁻³¹ just below a power of two).
-#[inline(never)] // set-up: code size counts, speed does not; slices keep the loops rolled
+#[inline(never)] // set-up: code size counts; slices keep the loops rolled
 pub(crate) const fn block_scaled(sums: &[i64], exponent: i32, linear: &mut [i32]) -> i32 {
     let bits = bits_of(sums);
     let shift = shift_to_fit(bits, 30); // −30 … 32
@@ -46,7 +46,7 @@ pub(crate) struct RowBlock {
 }
 
 /// Maps a point in 2⁻³² by three rows; the result is in 2⁻³² and saturates.
-#[inline(never)] // set-up: code size counts, speed does not
+#[inline(never)] // set-up: code size counts
 pub(crate) fn transform_point(
     linear: &[[i32; 3]; 3],
     exponent: i32,

@@ -5,7 +5,7 @@ use super::num::{bits_of, fraction, mul_called, scale, shift_to_fit, sqrt};
 
 /// Scales the three numbers by one power of two so that the largest has 31 bits: rounded to nearest, but
 /// never beyond `i32`. Zero stays zero.
-#[inline(never)] // set-up: code size counts, speed does not
+#[inline(never)] // set-up: code size counts
 const fn block_scaled(v: &[i64; 3]) -> [i32; 3] {
     let shift = -shift_to_fit(bits_of(v), 31); // 0 may be shifted by any number
     let (mut scaled, mut i) = ([0; 3], 0);
@@ -23,7 +23,7 @@ const fn clamp_to_i32(v: i64) -> i32 {
 
 /// `v / |v|` in 2⁻³⁰, each component within 1.5·2⁻³⁰: ½ for each of its own block scaling, the
 /// rounding of the length, and that of the quotient. Zero for the zero vector.
-#[inline(never)] // set-up: code size counts, speed does not
+#[inline(never)] // set-up: code size counts
 pub(crate) const fn normalise(v: &[i64; 3]) -> [i32; 3] {
     let [x, y, z] = block_scaled(v);
     let square = mul_called(x, x) as u64 + mul_called(y, y) as u64 + mul_called(z, z) as u64;
@@ -38,7 +38,7 @@ pub(crate) const fn is_zero(unit: &[i32; 3]) -> bool {
 
 /// `c / length` in 2⁻³⁰, rounded to nearest: |c| ≤ length up to rounding, so 31 bits and a rounding bit,
 /// ≤ 2³¹ before, ≤ 2³⁰ after. No length gives 0.
-#[inline(never)] // set-up: code size counts, speed does not
+#[inline(never)] // set-up: code size counts
 pub(crate) const fn unit_component(c: i32, length: u32) -> i32 {
     if length == 0 {
         return 0;
@@ -55,14 +55,14 @@ pub(crate) const fn cross(a: &[i64; 3], b: &[i64; 3]) -> [i64; 3] {
 }
 
 /// `a × b` for unit vectors in 2⁻³⁰, again in 2⁻³⁰: rounded to nearest.
-#[inline(never)] // set-up: code size counts, speed does not
+#[inline(never)] // set-up: code size counts
 pub(crate) const fn cross_units(a: &[i32; 3], b: &[i32; 3]) -> [i32; 3] {
     let [x, y, z] = cross_exact(a, b); // units: ≤ 2⁶¹ before, at most 2³⁰ after
     [scale(x, -30) as i32, scale(y, -30) as i32, scale(z, -30) as i32]
 }
 
 /// `a × b`: below 2⁶² for coefficients of at most 2³⁰, below 2⁶³ where no two are −2³¹ and 2³¹.
-#[inline(never)] // set-up: code size counts, speed does not
+#[inline(never)] // set-up: code size counts
 pub(crate) const fn cross_exact([a, b, c]: &[i32; 3], [x, y, z]: &[i32; 3]) -> [i64; 3] {
     const fn difference(a: i32, b: i32, c: i32, d: i32) -> i64 {
         mul_called(a, b) - mul_called(c, d)

@@ -103,7 +103,7 @@ impl<'s> BinStorage<'s> {
     /// # Errors
     ///
     /// [`BufferError`] if the storage is too short or there are too many primitives.
-    #[inline(never)] // once per frame, like most of this file: code size matters more than speed
+    #[inline(never)] // once per frame, like most of this file: code size counts
     pub(super) fn new(storage: &'s mut [u16], items: usize, bits: usize) -> Result<Self, BufferError> {
         if items > usize::from(NONE) {
             return Err(BufferError::TooManyItems { items });
@@ -172,7 +172,7 @@ impl BinPart {
 }
 
 impl<'s> BinFill<'s> {
-    #[inline(never)] // once per frame, like most of this file: code size matters more than speed
+    #[inline(never)] // once per frame, like most of this file: code size counts
     fn new(storage: BinStorage<'s>, base: usize, viewport: Scissor) -> Self {
         storage.first.fill(NONE);
         let rows = BinRows::new(&viewport, storage.first.len());

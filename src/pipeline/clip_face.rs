@@ -49,7 +49,7 @@ impl<K: Varying> ClipVaryings for [K; CLIP_SLOTS] {
 }
 
 impl ClipCorners for Clipper<'_> {
-    #[inline(never)] // rare, like all of this file: code size matters more than speed
+    #[inline(never)] // rare, like all of this file: code size counts
     fn distance(&self, plane: usize, at: usize) -> i64 {
         self.slots.get(at).map_or(0, |point| self.vertex_transform.distance(plane, point))
     }
@@ -242,7 +242,7 @@ impl<V: Coordinate, const DEPTH: bool> TransformedMesh<'_, V, DEPTH> {
 }
 
 /// Transforms the vertices with these indices to clip space. `Mesh` has checked the indices.
-#[inline(never)] // rare: code size matters more than speed
+#[inline(never)] // rare path: code size counts
 fn to_clip_space<V: Coordinate>(
     vertex_transform: &VertexTransform,
     vertices: &[[V; 3]],

@@ -122,7 +122,7 @@ impl<'v> Fan<'v> {
 
     /// Begins the fan of the polygon, with its first triangle as the current one, and returns what becomes of the face. `cut`:
     /// clipping removed a part of the face.
-    #[inline(never)] // rare: code size matters more than speed
+    #[inline(never)] // rare path: code size counts
     pub(super) fn begin(&mut self, cull: Cull, cut: bool) -> Outcome {
         (self.is_cut, self.reversed) = (cut, false);
         let (mut area, mut count) = (0, 0u8);
@@ -182,7 +182,7 @@ impl<'v> Fan<'v> {
     }
 
     /// Clip space's w at the corners of the current triangle, for a clipped face.
-    #[inline(never)] // rare: code size matters more than speed
+    #[inline(never)] // rare path: code size counts
     pub(super) fn clip_w(&self) -> [i32; 3] {
         self.slots_called().map(|slot| match self.polygon.corner(slot) {
             Some(ClipCoords { xydw: [.., w] }) => *w,
@@ -232,7 +232,7 @@ impl<'v> Fan<'v> {
     }
 
     /// A corner of the polygon, if there is one.
-    #[inline(never)] // rare: code size matters more than speed
+    #[inline(never)] // rare path: code size counts
     fn corner(&self, corner: usize) -> Option<UnpackedVertex> {
         self.polygon.corner(self.slot(corner)).map(UnpackedVertex::from_clip_slot)
     }

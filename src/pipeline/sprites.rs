@@ -57,7 +57,7 @@ impl Camera {
     /// }
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
-    #[inline(never)] // set-up: code size counts, speed does not
+    #[inline(never)] // set-up: code size counts
     pub fn place_sprite(&self, at: Point3<World>) -> PlacedSprites<'static> {
         // A model transform of scale 0 maps the vertex to this point, bit for bit where `Camera::project` projects it.
         let to = Affine::<Model, World>::translation(Vector3::new(at.x(), at.y(), at.z()));

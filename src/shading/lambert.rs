@@ -108,7 +108,7 @@ impl ScaledLight {
         while let (Some(&c), Some(to)) = (unit.get(i), towards.get_mut(i)) {
             // The product is at most 2²³, so the result fits 16 bits.
             *to = ((i32::from(component_to_q15(c)) * rest + 128) >> 8) as i16;
-            i = opaque_next(i); // code size counts, speed does not
+            i = opaque_next(i); // code size counts
         }
         Self { towards, ambient: (u32::from(ambient) << 22) + (1 << 21) }
     }
@@ -193,7 +193,7 @@ pub(super) fn is_conformal(rows: &[[i32; 3]; 3]) -> bool {
         while let Some(b) = rows.get(j) {
             let wanted = if i == j { length } else { 0 };
             conformal &= (dot(a, b) - wanted).abs() <= length >> 10;
-            j = opaque_next(j); // code size counts, speed does not
+            j = opaque_next(j); // code size counts
         }
         i = opaque_next(i);
     }

@@ -17,14 +17,14 @@ pub(super) struct NormalSpace {
 }
 
 impl NormalSpace {
-    #[inline(never)] // set-up: code size counts, speed does not
+    #[inline(never)] // set-up: code size counts
     pub(super) fn new(model: &Affine<Model, World>) -> Self {
         let matrix = model.normals();
         Self { matrix, conformal: is_conformal(matrix.rows()) }
     }
 
     /// Transforms a unit vector, in 2⁻³⁰, from world space to the space of normals: each component is within 2⁻²⁸.
-    #[inline(never)] // set-up: code size counts, speed does not
+    #[inline(never)] // set-up: code size counts
     pub(super) fn direction(&self, unit: [i32; 3]) -> [i32; 3] {
         // n·(Cᵀ·l) = (C·n)·l.
         match self.conformal {

@@ -163,7 +163,7 @@ impl PointLight {
 }
 
 /// `n / d`, rounded to nearest, for |n| ≤ 2⁶¹ and d ≥ 1.
-#[inline(never)] // set-up: code size counts, speed does not
+#[inline(never)] // set-up: code size counts
 fn divided(n: i64, d: u32) -> i64 {
     let (quotient, _) = divide(n.unsigned_abs() + u64::from(d / 2), d);
     let quotient = quotient as i64; // at most 2⁶¹

@@ -5,7 +5,7 @@ use crate::math::{Row, Scalar};
 
 /// `n / d` as `mantissa · 2^exponent` with a mantissa of 30 bits (or 2³⁰ itself), rounded to nearest: relative error 2⁻³⁰.
 /// Requires `0 < d < 2⁶³`.
-#[inline(never)] // set-up: code size counts, speed does not
+#[inline(never)] // set-up: code size counts
 pub(in crate::camera) const fn ratio(n: i64, d: u64) -> (i64, i32) {
     if n == 0 {
         return (0, 0);
@@ -20,7 +20,7 @@ pub(in crate::camera) const fn ratio(n: i64, d: u64) -> (i64, i32) {
 }
 
 /// `n / d` in 2⁻³²; `None` if it is beyond ±2³⁰.
-#[inline(never)] // set-up: code size counts, speed does not
+#[inline(never)] // set-up: code size counts
 pub(super) const fn offset(n: i64, d: u64) -> Option<i64> {
     let (mantissa, exponent) = ratio(n, d);
     let value = scale(mantissa, exponent + 32);
@@ -31,7 +31,7 @@ pub(super) const fn offset(n: i64, d: u64) -> Option<i64> {
 }
 
 /// A row with a coefficient for one axis, x, y or z, and a constant; the other coefficients are 0.
-#[inline(never)] // set-up: code size counts, speed does not
+#[inline(never)] // set-up: code size counts
 pub(super) const fn row(axis: usize, (mantissa, exponent): (i64, i32), offset: i64) -> Row {
     let linear = match axis {
         0 => [mantissa, 0, 0],

@@ -37,7 +37,7 @@ impl Projection {
     ///
     /// [`CameraError::FieldOfView`], [`Viewport`](CameraError::Viewport),
     /// [`NearNotPositive`](CameraError::NearNotPositive) and [`NearNotBeforeFar`](CameraError::NearNotBeforeFar).
-    #[inline(never)] // set-up: code size counts, speed does not
+    #[inline(never)] // set-up: code size counts
     pub const fn perspective(
         fov_y: Angle,
         aspect: Size,
@@ -132,7 +132,7 @@ impl Projection {
     }
 
     /// The rows d and w of a frustum: `d = (f·(−z) − f·n)/(f − n)`, `w = −z`.
-    #[inline(never)] // set-up: code size counts, speed does not
+    #[inline(never)] // set-up: code size counts
     const fn by_distance(x: &Row, y: &Row, near: Scalar, far: Scalar) -> Result<Self, CameraError> {
         if near.to_bits() <= 0 {
             return Err(CameraError::NearNotPositive);

@@ -35,7 +35,7 @@ pub(super) fn normalised_near_2_30(v: i32) -> (i32, u32) {
 }
 
 /// The bitwise OR of the numbers' magnitudes: it has as many bits as the largest magnitude.
-#[inline(never)] // set-up: code size counts, speed does not
+#[inline(never)] // set-up: code size counts
 pub(crate) const fn bits_of(mut numbers: &[i64]) -> u64 {
     let mut bits = 0;
     while let Some((number, left)) = numbers.split_first() {
@@ -47,7 +47,7 @@ pub(crate) const fn bits_of(mut numbers: &[i64]) -> u64 {
 }
 
 /// The bitwise OR of the coefficients' magnitudes: it has as many bits as the largest magnitude.
-#[inline(never)] // set-up: code size counts, speed does not
+#[inline(never)] // set-up: code size counts
 pub(crate) fn magnitude(linear: &[i32]) -> u32 {
     linear.iter().fold(0, |bits, m| {
         keep_rolled();

@@ -8,7 +8,7 @@ use crate::math::hints::keep_rolled;
 
 /// `⌊n · 2^bits / d⌋` by long division: no library call, no panic. Requires `n < 2·d`, `0 < d < 2⁶²`
 /// and `bits ≤ 62`; a zero divisor gives all ones.
-#[inline(never)] // set-up: code size counts, speed does not
+#[inline(never)] // set-up: code size counts
 pub(crate) const fn fraction(n: u64, d: u64, bits: u32) -> u64 {
     let (mut rest, mut quotient, mut left) = (n, 0, bits + 1);
     while left != 0 {
@@ -25,7 +25,7 @@ pub(crate) const fn fraction(n: u64, d: u64, bits: u32) -> u64 {
 }
 
 /// `⌊n · 2³¹ / d⌋` for `n < d`, by a reciprocal and a few corrections: without a loop over the quotient's bits.
-#[inline(never)] // rare path: code size counts, speed does not
+#[inline(never)] // rare path: code size counts
 pub(crate) fn proper_fraction(n: u32, d: u32) -> i32 {
     // The upper 31 bits: the reciprocal's argument is 2³⁰ … 2³¹ − 1.
     let zeros = leading_zeros(d) & 31;
@@ -49,7 +49,7 @@ pub(crate) fn proper_fraction(n: u32, d: u32) -> i32 {
 }
 
 /// `⌊n / d⌋` and the remainder for `n < 2⁶²`, `0 < d < 2³¹`, by long division.
-#[inline(never)] // set-up: code size counts, speed does not
+#[inline(never)] // set-up: code size counts
 pub(crate) const fn divide(n: u64, d: u32) -> (u64, u32) {
     // How many bits longer `n` is than `d`: `n` is less than twice `d << bits`, as `fraction` requires.
     let bits = max(shift_to_fit(n, 0) - shift_to_fit(d as u64, 0), 0) as u32;

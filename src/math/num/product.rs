@@ -28,7 +28,7 @@ pub(crate) const fn mul_high(a: i32, b: i32) -> i32 {
 }
 
 /// `a · b`, exact in 64 bits for coefficients of at most 2³⁰: sums of three products, below 2⁶².
-#[inline(never)] // set-up: code size counts, speed does not
+#[inline(never)] // set-up: code size counts
 pub(crate) const fn dot(a: &[i32; 3], b: &[i32; 3]) -> i64 {
     let ([a, b, c], [x, y, z]) = (*a, *b);
     mul_called(a, x) + mul_called(b, y) + mul_called(c, z)
@@ -40,7 +40,7 @@ pub(crate) const fn transposed([x, y, z]: &[[i32; 3]; 3]) -> [[i32; 3]; 3] {
 }
 
 /// Row `v` times matrix `m`, coefficients of at most 2³⁰: sums of three products, below 2⁶².
-#[inline(never)] // set-up: code size counts, speed does not
+#[inline(never)] // set-up: code size counts
 pub(crate) const fn row_times(v: &[i32; 3], m: &[[i32; 3]; 3]) -> [i64; 3] {
     if CORTEX_M0 {
         return row_times_by_halves(v, m);

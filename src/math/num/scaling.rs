@@ -4,7 +4,7 @@ use super::bits::min;
 use crate::math::cores::COUNTS_LEADING_ZEROS;
 
 /// `v · 2^shift`, saturating to the left at ±(2⁶³ − 1), rounded to nearest (ties up) to the right.
-#[inline(never)] // set-up: code size counts, speed does not
+#[inline(never)] // set-up: code size counts
 pub(crate) const fn scale(v: i64, shift: i32) -> i64 {
     if shift >= 0 {
         let shift = min(shift, 63);

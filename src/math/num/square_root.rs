@@ -4,7 +4,7 @@ use crate::math::hints::keep_rolled;
 
 /// The integer square root, rounded to nearest, digit by digit: 32 steps, no division. (Warren, Hacker's Delight, 2nd ed.,
 /// section 11–1.)
-#[inline(never)] // set-up: code size counts, speed does not
+#[inline(never)] // set-up: code size counts
 pub(crate) const fn sqrt(v: u64) -> u32 {
     let (mut rest, mut root, mut bit) = (v, 0u64, 1u64 << 62);
     while bit != 0 {

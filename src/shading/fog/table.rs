@@ -50,7 +50,7 @@ impl<C> FogTable<C> {
     /// start and the end of the fog, or in the part of it between the near and the far plane.
     ///
     /// Fog wholly beyond the far plane is never seen, and fog wholly before the near plane hides everything: neither is an error.
-    #[inline(never)] // set-up: code size counts, speed does not
+    #[inline(never)] // set-up: code size counts
     pub fn new(fog: &Fog, camera: &Camera, color: C) -> Result<Self, LightError> {
         Self::by_profile(fog, camera, color, profile::linear)
     }
@@ -77,7 +77,7 @@ impl<C> FogTable<C> {
     /// # Errors
     ///
     /// As [`new`](Self::new).
-    #[inline(never)] // set-up: code size counts, speed does not
+    #[inline(never)] // set-up: code size counts
     pub fn exponential(fog: &Fog, camera: &Camera, color: C) -> Result<Self, LightError> {
         Self::by_profile(fog, camera, color, profile::exponential)
     }
@@ -89,7 +89,7 @@ impl<C> FogTable<C> {
     /// # Errors
     ///
     /// As [`new`](Self::new).
-    #[inline(never)] // set-up: code size counts, speed does not
+    #[inline(never)] // set-up: code size counts
     pub fn squared(fog: &Fog, camera: &Camera, color: C) -> Result<Self, LightError> {
         Self::by_profile(fog, camera, color, profile::squared)
     }

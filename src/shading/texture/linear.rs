@@ -38,7 +38,7 @@ const VALUE_BITS: i32 = 17;
 const LARGE_VALUE_BITS: i32 = 24;
 
 /// The gradients of u and v.
-#[inline(never)] // less frequent than packed ones: code size matters more than speed
+#[inline(never)] // less frequent than packed ones: code size counts
 pub(super) fn linear_gradients(
     triangle: &Triangle<'_>,
     [u, v]: &[[i32; 3]; 2],

@@ -182,7 +182,7 @@ struct RowK {
 
 impl RowK {
     /// At pixel (x, y), in 2^`coarser`, at most 21.
-    #[inline(never)] // rare in fine meshes: code size matters more than speed
+    #[inline(never)] // rare in fine meshes: code size counts
     fn new(q: &Gradient, s: &Gradient, (x, y): (i32, i32), size: &Size, coarser: u32) -> Self {
         let (q0, q_right, q_down) = (q.at(x, y) as i32, q.step() as i32, q.row_step() as i32);
         let (s0, right, down) = (s.at(x, y).wrapping_sub(BIAS) as i32, s.step() as i32, s.row_step() as i32);
@@ -201,7 +201,7 @@ impl RowK {
     }
 
     /// K in row 0 and its change from row to row, in 2^`cut`, given that this is K in row `y`.
-    #[inline(never)] // rare in fine meshes: code size matters more than speed
+    #[inline(never)] // rare in fine meshes: code size counts
     fn rows(&self, cut: i32, y: i32) -> [i32; 2] {
         let (k, step) = ((self.k >> (cut & 63)) as i32, (self.step >> (cut & 63)) as i32);
         [k.wrapping_sub(step.wrapping_mul(y)), step]
@@ -274,7 +274,7 @@ impl Perspective {
     /// The gradients of a triangle, as `wrap` wraps them, given whether they are linear over each row. `size_bits` are the binary
     /// logarithms of the texture's width and height, in bytes, so that four registers hold all arguments, and the caller's stack frame
     /// is gone.
-    #[inline(never)] // less frequent than linear ones in fine meshes: code size matters more than speed
+    #[inline(never)] // less frequent than linear ones in fine meshes: code size counts
     pub(super) fn set_up<G>(
         coords: &FaceCoords,
         size_bits: [u8; 2],
@@ -472,7 +472,7 @@ impl Perspective {
 ///
 /// With the notation of [`Curvature`], a row's tangent in a column that is D columns away at most is off by up to
 /// |K·q'|·D²/(q₀²·q₁) ≤ |K·q'|·(2·D)²/(4·m³), where m is the least q.
-#[inline(never)] // rare in fine meshes: code size matters more than speed
+#[inline(never)] // rare in fine meshes: code size counts
 fn is_linear_by_rows(planes: &[Gradient; 3], least_q: i32, size: &Size, curvature: &Curvature) -> bool {
     let Size { reach, rows: [top, bottom], .. } = *size;
     let [q, s, t] = map3(*planes, |plane| plane.step().cast_signed().unsigned_abs());

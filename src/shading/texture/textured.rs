@@ -30,7 +30,7 @@ impl<S: Texels> Shader for Textured<S> {
 
 /// Replaces the texture coordinates of a face's corners by those of three of its points, of a texture whose width and height have
 /// these binary logarithms. The coordinates are rounded to 2⁻¹² texel, or as far as 24 bits allow, in a finer unit if need be.
-#[inline(never)] // rare: code size matters more than speed
+#[inline(never)] // rare path: code size counts
 fn move_to(coords: &mut FaceCoords, [w, h]: [u32; 2], points: &[Barycentric; 3]) {
     let FaceCoords { uv: [[ua, va], [ub, vb], [uc, vc]], unit: [u_unit, v_unit], .. } = *coords;
     let (u, u_unit) = refined([ua, ub, uc], u_unit, w);
@@ -46,7 +46,7 @@ fn move_to(coords: &mut FaceCoords, [w, h]: [u32; 2], points: &[Barycentric; 3])
 
 /// Coordinates on a side of 2^`bits` texels in a unit, 2^`unit` of 2⁻³² of the side, of at most 2⁻¹² texel, or as fine as 24 bits
 /// allow: unchanged if theirs is so fine, otherwise less the sides below the least.
-#[inline(never)] // rare: code size matters more than speed
+#[inline(never)] // rare path: code size counts
 fn refined(values: [i32; 3], unit: u8, bits: u32) -> ([i32; 3], u8) {
     // A step is 2^(unit − 40 + bits) texel, and no unit is below 2¹⁶.
     let coarser = i32::from(unit) - 28 + (bits as i32).min(12);
@@ -60,7 +60,7 @@ fn refined(values: [i32; 3], unit: u8, bits: u32) -> ([i32; 3], u8) {
 }
 
 /// The weighted mean of values of 24 bits, with weights in 2⁻³⁰. Weights may be off by 6 units: the mean is kept between the values.
-#[inline(never)] // rare: code size matters more than speed
+#[inline(never)] // rare path: code size counts
 fn mean(values: [i32; 3], weights: [i32; 3]) -> i32 {
     let (least, extent) = range(&values);
     (((dot(&values, &weights) + (1 << 29)) >> 30) as i32).max(least).min(least + extent)

@@ -85,6 +85,7 @@ entries! {
     }
     entry_buffer_lengths(mesh: &Mesh<'static>) -> [usize; 4] { [mesh.vertices().len(), mesh.face_bins_len(), mesh.edge_bins_len(), pinhole::largest(&[any() as usize, any() as usize])] }
     entry_buffers(mesh: &mut MeshBuffers<9, 9, 9>, strip: &mut StripBuffers<8, 4>) { *mesh = MeshBuffers::default(); *strip = StripBuffers::default() }
+    entry_painter(painter: &mut Painter<Rgb565, 9, 9>, vertex: &mut ScreenVertex) { *painter = Painter::default(); *vertex = ScreenVertex::default() }
     entry_orbit(yaw: Angle, pitch: Angle) -> ViewTransform { ViewTransform::orbit(point(), scalar(), yaw, pitch) }
     entry_screen_point(at: ScreenPoint) -> Point { at.into() }
     entry_angle_f32(degrees: f32) -> Result<Angle, MathError> { Angle::from_degrees_f32(degrees) }
