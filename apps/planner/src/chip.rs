@@ -53,11 +53,11 @@ impl Chip {
             _ if self.is_estimate => 40,
             ("rp2040", true) => 60,
             ("esp32c3", true) => 55,
-            ("rp2350-ram", true) => 15,
+            ("rp2350-ram", _) => 15,
             ("esp32c3", false) => 40,
             ("rp2040", false) => 57,
             ("stm32f411" | "nrf52840", _) => 21,
-            ("stm32f103", _) => 17,
+            ("stm32f103", _) => 18,
             ("stm32f030", _) => 10,
             _ => 12,
         }
