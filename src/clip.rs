@@ -27,7 +27,7 @@ pub(crate) trait ClipCorners {
     /// intersected edge differ by less than 2⁶².
     fn distance(&self, plane: usize, at: usize) -> i64;
 
-    /// The planes that the corner in slot `at` lies outside of, one bit each: their distance is negative. Others may be negative, too.
+    /// The planes that the corner in slot `at` lies outside of, one bit each. Distances from others may be negative, too.
     fn planes_outside(&self, at: usize) -> u32;
 
     /// Stores the point at parameter `t`·2⁻³¹ from corner `inside` to corner `outside` in slot `at`, which may be the slot of either.

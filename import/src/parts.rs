@@ -3,7 +3,7 @@
 //! Faces are connected across the edges that exactly two of them share. In a part, winding is made consistent by flood fill:
 //! the faces that have less area than the others are the wrong ones. Whether a consistent part points outwards is then
 //! decided by its signed volume (Zhang and Chen, "Efficient feature extraction for 2D/3D objects in mesh representation",
-//! 2001), of an open part about its own centre.
+//! 2001), of an open part about the mean of its corners.
 
 use crate::bodies::{Body, Nesting};
 use crate::edges::Sides;

@@ -1,5 +1,5 @@
-//! Chooses between two implementations of the same arithmetic by the core that is compiled for. Where other files test
-//! the target, they choose between whole functions or modules by the same conditions.
+//! Chooses between two implementations of the same arithmetic by the core that is compiled for. Other files
+//! choose between whole functions or modules by the same conditions.
 //!
 //! With `--cfg pinhole_plain` every core gets the plain functions.
 

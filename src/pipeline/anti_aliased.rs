@@ -20,11 +20,11 @@ use embedded_graphics_core::pixelcolor::PixelColor;
 /// within 1.38 pixels of the end, which may lie on the border of its pixel.
 pub(super) const BEYOND: i32 = 1;
 
-/// The same where areas are taken from a table: an edge begins up to ¼ pixel before its end, where its middle may lie in the row
+/// [`BEYOND`] of an edge with areas from a table: it begins up to ¼ pixel before its end, where its middle may lie in the row
 /// before, and covers a part of the row before that one.
 pub(super) const BEYOND_BY_TABLE: i32 = 2;
 
-/// How many pixels the edges of a stroke reach beyond those rows and columns.
+/// [`BEYOND`] of the edges of a stroke.
 pub(super) const fn beyond<C: PixelColor, K: StrokeKind<C>>() -> i32 {
     match (K::BY_TABLE, <K::Access as Access>::READS) {
         (true, _) => BEYOND_BY_TABLE,
